@@ -1,12 +1,9 @@
 #include "cli/options.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/commands.h"
-
-enum { OPTIONS_OF_SIZE = 3 };
 
 enum thud_status thud_records_named(const struct thud_args *args, const struct thud_session *session, const char *text,
                                     bool both, struct thud_record_list *out, struct thud_error *err)
@@ -22,34 +19,22 @@ enum thud_status thud_records_named(const struct thud_args *args, const struct t
 }
 
 /* What the scene says of its own record alone, and options for motions that have a size of their own. */
-static void tell_unused(const struct thud_args *args, const struct thud_session *session,
-                        const struct thud_record_list *list)
+static void tell_unused(const struct thud_args *args, const struct thud_record_list *list)
 {
-    static const char *const own[] = {"peak", "sa", "factor", "target", "from", "to", "sign"};
-    struct thud_scene *plain = malloc(sizeof *plain);
+    static const char *const size[] = {"peak", "sa", "factor"};
     struct thud_text names = {0};
     struct thud_error said = {0};
-    char key[32], value[2][160] = {"", ""};
-    if (plain)
-        thud_scene_init(plain);
-    for (size_t i = 0; plain && i < sizeof own / sizeof *own; i++) {
-        snprintf(key, sizeof key, "record.%s", own[i]);
-        const char *between = names.size > 0 ? ", " : "";
-        if (i < OPTIONS_OF_SIZE && list->own_size > 0 && thud_args_value(args, own[i]))
-            thud_text_append(&names, "%s--%s for %d of them", between, own[i], list->own_size);
-        else if (!thud_args_value(args, own[i]) &&
-                 thud_scene_get(&session->scene, key, value[0], sizeof value[0], NULL) == THUD_OK &&
-                 thud_scene_get(plain, key, value[1], sizeof value[1], NULL) == THUD_OK &&
-                 strcmp(value[0], value[1]) != 0)
-            thud_text_append(&names, "%s%s %s", between, key, value[0]);
-    }
+    for (size_t i = 0; i < sizeof size / sizeof *size; i++)
+        if (list->own_size > 0 && thud_args_value(args, size[i]))
+            thud_text_append(&names, "%s--%s for %d of them", names.size > 0 ? ", " : "", size[i], list->own_size);
+    if (list->unused[0])
+        thud_text_append(&names, "%s%s", names.size > 0 ? ", " : "", list->unused);
     thud_error_set(&said, THUD_OK, "not used for these ground motions: %s", names.data ? names.data : "");
     thud_error_allow(&said,
                      "record.* is of the preset's own motion; FILE:peak=0.3g goes before --peak, --sa and --factor");
     if (names.data && !thud_args_has(args, "quiet"))
         thud_cli_warn(&said);
     thud_text_clear(&names);
-    free(plain);
 }
 
 void thud_records_warn(const struct thud_args *args, const struct thud_record *const *record, int n)
@@ -78,7 +63,7 @@ enum thud_status thud_records_option_read(const struct thud_args *args, struct t
         return thud_error_set(err, THUD_USAGE, "--record and --records together");
     status = thud_records_named(args, session, text, both, out, err);
     if (status == THUD_OK)
-        tell_unused(args, session, out);
+        tell_unused(args, out);
     if (status == THUD_OK)
         thud_records_warn(args, (const struct thud_record *const *)out->record, out->n);
     return status;

@@ -152,6 +152,12 @@ is "and the preset's never" same_needs "--records $k,$n" "$k,$n"
 is "which a line says" says "^thud: warning: not used for these ground motions: record.factor 1.7, record.target en1998:0.3g,B, record.from 1 s, record.to 20 s, record.sign - (record"
 is "nor where the preset names motions" same_needs "--set study.records=$k,$n:peak=0.3g --peak 0.5g" "$k:peak=0.5g,$n:peak=0.3g"
 is "with the option that one has in place" says "^thud: warning: not used for these ground motions: --peak for 1 of them, record.factor 1.7"
+sed "/^  file:/d; s|^study:|&\n  records: [$PWD/$k, $PWD/$n]|" presets/towers.yaml >"$tmp/own.yaml"
+is "a peak that no motion has is refused" gives 3 gap "$tmp/own.yaml"
+is "with its place, key and what is allowed" says "own.yaml:6:9: record.peak: it applies to record.file alone.*(record.file for it, or FILE:peak=0.3g in study.records)"
+is "but not with an option in its place" gives 0 gap "$tmp/own.yaml" --peak 0.5g --csv
+is "nor beside motions of the command line" gives 0 gap "$tmp/own.yaml" --records "$k,$n" --csv
+is "which it is not used for" says "^thud: warning: not used for these ground motions: record.peak 0.821 g (record"
 "$THUD" gap towers --csv --quiet --records "$n:peak=0.3g" | cut -d, -f2- >"$tmp/listed"
 is "and a motion of a list is that of a run" sh -c "\"\$THUD\" gap towers --csv --quiet --record $n --peak 0.3g | cut -d, -f2- | cmp - \"$tmp/listed\""
 is "an empty folder is refused" sh -c "mkdir \"$tmp/empty\"; ! \"\$THUD\" gap towers --records \"$tmp/empty\" 2>\"$tmp/err\""

@@ -449,6 +449,45 @@ static enum thud_status add_item(struct reading *r, struct thud_scene *scene, co
     return thud_record_is_list(scene->record.file) ? add_list(r, scene, err) : add_file(r, scene, own, err);
 }
 
+/* Whether `key` is one of n. */
+static bool is_given(const char *(*common)[2], int n, const char *key)
+{
+    for (int i = 0; i < n; i++)
+        if (strcmp(common[i][0], key) == 0)
+            return true;
+    return false;
+}
+
+/* Lists what the scene, beyond a plain one, says of its own record alone. Errors: THUD_INPUT where it has no record of
+ * its own, but motions of its study. */
+static enum thud_status list_unused(const struct thud_session *session, const struct thud_scene *plain,
+                                    const char *(*common)[2], int n, bool is_own, char *out, size_t size,
+                                    struct thud_error *err)
+{
+    static const char *const own[] = {"peak", "sa", "factor", "target", "from", "to", "sign"};
+    const struct thud_scene *preset = session->preset ? thud_preset_scene(session->preset) : plain;
+    char key[32], value[3][160];
+    size_t used = 0;
+    for (size_t i = 0; i < sizeof own / sizeof *own && used < size; i++) {
+        const struct thud_scene *const of[] = {&session->scene, plain, preset};
+        snprintf(key, sizeof key, "record.%s", own[i]);
+        for (int k = 0; k < 3; k++)
+            if (thud_scene_get(of[k], key, value[k], sizeof value[k], NULL) != THUD_OK)
+                value[k][0] = '\0';
+        if (strcmp(value[0], value[1]) == 0 || is_given(common, n, own[i]))
+            continue;
+        used += (size_t)snprintf(out + used, size - used, "%s%s %s", used ? ", " : "", key, value[0]);
+        if (session->scene.record.file[0] || !is_own)
+            continue;
+        thud_error_refuse(err, THUD_INPUT, key, "record.file for it, or FILE:peak=0.3g in study.records",
+                          "it applies to record.file alone, and there are only the motions of study.records");
+        if (strcmp(value[0], value[2]) == 0)
+            thud_preset_place(session->preset, key, err);
+        return THUD_INPUT;
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
                                        int ncommon, bool both, struct thud_record_list *out, struct thud_error *err)
 {
@@ -464,6 +503,8 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     } else {
         thud_scene_init(scene + 1);
+        status = list_unused(session, scene + 1, common, ncommon, strcmp(text, session->scene.study.records) == 0,
+                             out->unused, sizeof out->unused, err);
         for (int i = 0; i < ncommon && status == THUD_OK; i++)
             status = set(scene + 1, common[i][0], common[i][1], err);
         r.common = &scene[1].record;

@@ -21,6 +21,7 @@ struct thud_record_list {
     int n;
     int skipped;                 /* files that could not be read, and were to be left out */
     int own_size;                /* files with a peak, sa or factor of their own, in place of what holds for all */
+    char unused[400];            /* what the scene says of its own record alone: "record.peak 0.3 g, record.sign -" */
     struct thud_record **record; /* (n) each named in `file` as it was typed */
     struct thud_record_source *source; /* (n) */
 };
@@ -31,7 +32,7 @@ struct thud_record_list {
  * `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`; they are keys of the preset's record. Settings of a folder or list apply to all
  * its files that do not set the same key, and `common` (n pairs key, value) to everything. A peak, sa or factor
  * replaces all three of those that apply to more files. What the session's scene says of its own record holds for none
- * of them. `:unreadable=skip` leaves out files that cannot be read. `both`: each motion also reversed, named
+ * of them, and is refused where these are all that the scene has. `:unreadable=skip` leaves out files that cannot be read. `both`: each motion also reversed, named
  * FILE:sign=-. Motions of one file are told apart by their settings. Files are looked for as the session's own record
  * is, folders and lists from the working folder. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
