@@ -13,6 +13,8 @@ struct thud_text {
     int failed;
 };
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
+/* Appends to a text in `size` bytes, and cuts what has no room. */
+void thud_append(char *text, size_t size, const char *fmt, ...) THUD_PRINTF(3, 4);
 void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size);
 void thud_text_base64(struct thud_text *text, const char *bytes, size_t n);
 /* Writes a name in a table, left-aligned in this many screen columns and never cut. A table's column is as wide as its

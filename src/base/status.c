@@ -93,13 +93,12 @@ char *thud_error_text(const struct thud_error *err, char *text, unsigned long si
     if (!err)
         return text;
     char place[640] = "";
-    size_t n = 0;
     if (err->file[0])
-        n += (size_t)snprintf(place, sizeof place, "%s:", err->file);
+        snprintf(place, sizeof place, "%s:", err->file);
     if (err->line > 0)
-        n += (size_t)snprintf(place + n, sizeof place - n, "%d:", err->line);
+        thud_append(place, sizeof place, "%d:", err->line);
     if (err->line > 0 && err->column > 0)
-        snprintf(place + n, sizeof place - n, "%d:", err->column);
+        thud_append(place, sizeof place, "%d:", err->column);
     snprintf(text, size, "%s%s%s%s%s%s%s%s", place, place[0] ? " " : "", err->key, err->key[0] ? ": " : "", err->what,
              err->allowed[0] ? " (" : "", err->allowed, err->allowed[0] ? ")" : "");
     thud_text_shown(text, "");

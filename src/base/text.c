@@ -57,6 +57,15 @@ void thud_text_base64(struct thud_text *out, const char *bytes, size_t n)
     }
 }
 
+void thud_append(char *text, size_t size, const char *fmt, ...)
+{
+    const size_t n = strlen(text);
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(text + n, size - n, fmt, args);
+    va_end(args);
+}
+
 void thud_text_append(struct thud_text *text, const char *fmt, ...)
 {
     va_list args, again;

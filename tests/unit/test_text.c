@@ -101,6 +101,18 @@ START_TEST(numbers_have_the_fewest_digits)
 END_TEST
 
 /* RFC 3629: the first and last characters of each length, and what is none. */
+START_TEST(a_fixed_text_is_cut_at_its_end)
+{
+    char text[8] = "ab";
+    thud_append(text, sizeof text, "%d", 345);
+    ck_assert_str_eq(text, "ab345");
+    for (int i = 0; i < 3; i++) {
+        thud_append(text, sizeof text, "cdef");
+        ck_assert_str_eq(text, "ab345cd");
+    }
+}
+END_TEST
+
 START_TEST(utf8_characters)
 {
     static const struct {
@@ -220,6 +232,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("text");
     TCase *tcase = tcase_create("text");
     tcase_add_test(tcase, grows_past_every_capacity);
+    tcase_add_test(tcase, a_fixed_text_is_cut_at_its_end);
     tcase_add_test(tcase, utf8_characters);
     tcase_add_test(tcase, numbers_read_back_the_same);
     tcase_add_test(tcase, numbers_have_the_fewest_digits);

@@ -154,19 +154,16 @@ static void say_preset(struct thud_browse_item *item)
     if (thud_preset_read(item->path, &preset, NULL) != THUD_OK)
         return;
     const struct thud_scene *scene = thud_preset_scene(preset);
-    size_t n = 0;
-    for (int i = 0; i < scene->nstructures && n < sizeof item->about; i++) {
+    for (int i = 0; i < scene->nstructures; i++) {
         const struct thud_structure *s = &scene->structure[i];
-        bool storeys = thud_kind_is_building(s->kind);
-        if (storeys)
-            n += (size_t)snprintf(item->about + n, sizeof item->about - n, "%s%d", i ? "+" : "", s->storeys);
+        if (thud_kind_is_building(s->kind))
+            thud_append(item->about, sizeof item->about, "%s%d", i ? "+" : "", s->storeys);
         else
-            n += (size_t)snprintf(item->about + n, sizeof item->about - n, "%s%s", i ? "+" : "",
-                                  s->kind == THUD_WALL ? "wall" : "body");
+            thud_append(item->about, sizeof item->about, "%s%s", i ? "+" : "", s->kind == THUD_WALL ? "wall" : "body");
     }
-    if (n < sizeof item->about && scene->nstructures > 1)
-        snprintf(item->about + n, sizeof item->about - n, "  %.4g cm  %.36s", 100 * scene->interface[0].gap_m,
-                 thud_path_name(scene->record.file));
+    if (scene->nstructures > 1)
+        thud_append(item->about, sizeof item->about, "  %.4g cm  %.36s", 100 * scene->interface[0].gap_m,
+                    thud_path_name(scene->record.file));
     thud_preset_free(preset);
 }
 

@@ -8,6 +8,7 @@
 #include "app/run/live_cases.h"
 #include "base/largest.h"
 #include "base/scan.h"
+#include "base/text.h"
 #include "tui/document/doc.h"
 
 void thud_design_measure(const struct thud_scene *scene, const struct thud_live *live, struct thud_design_result *out)
@@ -47,8 +48,7 @@ struct differences {
 
 static void add(struct differences *d, const char *key, const char *value)
 {
-    const size_t n = strlen(d->text);
-    snprintf(d->text + n, d->size - n, "%s%s%s%s", n ? ", " : "", key, *value ? " " : "", value);
+    thud_append(d->text, d->size, "%s%s%s%s", *d->text ? ", " : "", key, *value ? " " : "", value);
 }
 
 static void compare(void *context, const char *section, const char *key, const char *value)

@@ -100,24 +100,23 @@ static bool says_choices(const struct thud_param *param)
 void thud_param_words(const struct thud_param *param, char *words, size_t size)
 {
     char number[64] = "", range[160];
-    size_t n = (size_t)snprintf(words, size, "%s", param->help && *param->help ? param->help : param->title);
-    bool ended = n > 0 && n < size && strchr(".!?", words[n - 1]);
-    if (n < size && !ended)
-        n += (size_t)snprintf(words + n, size - n, ".");
-    if (n < size && param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
-        n += (size_t)snprintf(words + n, size - n, " Units %s.", thud_dimension_units(param->dimension));
+    snprintf(words, size, "%s", param->help && *param->help ? param->help : param->title);
+    if (!*words || !strchr(".!?", words[strlen(words) - 1]))
+        thud_append(words, size, ".");
+    if (param->kind == THUD_PARAM_QUANTITY && param->dimension >= THUD_LENGTH)
+        thud_append(words, size, " Units %s.", thud_dimension_units(param->dimension));
     thud_param_allowed(param, range, sizeof range);
-    if (n < size && *range && !says_choices(param))
-        n += (size_t)snprintf(words + n, size - n, " Allowed: %s.", range);
+    if (*range && !says_choices(param))
+        thud_append(words, size, " Allowed: %s.", range);
     if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback) && param->dimension != THUD_POWER_STIFFNESS)
         thud_quantity_format(param->fallback, param->unit ? param->unit : "", number, sizeof number);
     else if (param->kind == THUD_PARAM_CHOICE && !isnan(param->fallback) && param->choices)
         snprintf(number, sizeof number, "%s", param->choices[(int)param->fallback]);
-    if (n < size && *number)
-        n += (size_t)snprintf(words + n, size - n, " Default %s.", number);
+    if (*number)
+        thud_append(words, size, " Default %s.", number);
     bool numeric = param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER;
-    if (n < size && numeric && param->dimension != THUD_POWER_STIFFNESS &&
+    if (numeric && param->dimension != THUD_POWER_STIFFNESS &&
         (thud_param_unusual(param, INFINITY, range, sizeof range) ||
          thud_param_unusual(param, -INFINITY, range, sizeof range)))
-        snprintf(words + n, size - n, " Usual: %s.", range);
+        thud_append(words, size, " Usual: %s.", range);
 }

@@ -241,9 +241,8 @@ static void list_words(struct thud_tui *tui, const char *word)
     const char *words[COMMANDS], *near;
     char text[700] = "";
     for (int i = 0; i < COMMANDS; i++) {
-        size_t n = strlen(text);
         words[i] = table[i].word;
-        snprintf(text + n, sizeof text - n, "%s%s", i ? ", " : "", words[i]);
+        thud_append(text, sizeof text, "%s%s", i ? ", " : "", words[i]);
     }
     near = thud_nearest(word, words, COMMANDS);
     if (near)

@@ -135,8 +135,7 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
         snprintf(text, size, "Left and Right read values off the chart%s", view->take ? ", Enter takes one" : "");
     else if (panel) {
         thud_chart_words(panel, tui->reading[tui->screen], text, size);
-        size_t n = strlen(text);
-        snprintf(text + n, size - n, "%s", view->take ? ". Enter: the scene takes it" : "");
+        thud_append(text, size, "%s", view->take ? ". Enter: the scene takes it" : "");
     }
     if (!field || field->kind != THUD_FIELD_VALUE)
         return;
@@ -202,11 +201,9 @@ static void next_steps(const struct thud_tui *tui, char *text, size_t size)
                 {tui->taken[THUD_DO_DESIGNS], "U keeps this design"},
                 {tui->taken[THUD_DO_REPORT], "R reports"}};
     *text = '\0';
-    for (size_t i = 0; i < sizeof step / sizeof *step; i++) {
-        const size_t n = strlen(text);
+    for (size_t i = 0; i < sizeof step / sizeof *step; i++)
         if (step[i].taken < 2)
-            snprintf(text + n, size - n, "%s%s", n ? ", " : "next: ", step[i].words);
-    }
+            thud_append(text, size, "%s%s", *text ? ", " : "next: ", step[i].words);
 }
 
 static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int rows)

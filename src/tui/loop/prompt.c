@@ -25,8 +25,7 @@ static void offer(struct completion *c, const char *candidate, const char *end)
     while (c->common[same] && c->common[same] == whole[same])
         same++;
     c->common[same] = '\0';
-    size_t used = strlen(c->list);
-    snprintf(c->list + used, sizeof c->list - used, "%s%s", used ? "  " : "", candidate);
+    thud_append(c->list, sizeof c->list, "%s%s", *c->list ? "  " : "", candidate);
 }
 
 /* What stands in a folder, without this ending (of files that have another: nothing), with `before` in front. */

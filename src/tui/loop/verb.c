@@ -120,9 +120,8 @@ static void show(struct thud_tui *tui, struct thud_text *printed)
     thud_tui_hush(tui);
     thud_tui_choose(tui, NULL, title);
     for (char *line; rest && (line = thud_text_line(&rest)) != NULL; lines++) {
-        size_t n = strlen(files);
         if (*line && access(line, F_OK) == 0 && named++ >= 0)
-            snprintf(files + n, sizeof files - n, "%s%s", n ? ", " : "", line);
+            thud_append(files, sizeof files, "%s%s", *files ? ", " : "", line);
         thud_chooser_add(&tui->dialog.chooser, line, "%s", line);
     }
     if (named < lines && !tui->end.playing)
@@ -180,10 +179,8 @@ static bool has_use(const struct thud_option *option)
 
 static void put_quoted(char *text, size_t size, const char *value)
 {
-    size_t n = strlen(text);
     const char *quote = !strchr(value, ' ') && *value ? "" : strchr(value, '"') ? "'" : "\"";
-    if (n < size)
-        snprintf(text + n, size - n, "%s%s%s", quote, value, quote);
+    thud_append(text, size, "%s%s%s", quote, value, quote);
 }
 
 static void run_form(struct thud_tui *tui, struct thud_form_over *form)
@@ -193,14 +190,13 @@ static void run_form(struct thud_tui *tui, struct thud_form_over *form)
     for (int i = 0; i < form->n; i++) {
         const struct thud_option *option = form->row[i].of;
         const char *value = form->row[i].value[0].text;
-        size_t n = strlen(text);
         if (!*value)
             continue;
         if (option)
-            snprintf(text + n, sizeof text - n, "%s%s%s%s", n ? " " : "", option->name[1] ? "--" : "-", option->name,
-                     !option->argument                  ? ""
-                     : thud_option_stands_alone(option) ? "="
-                                                        : " ");
+            thud_append(text, sizeof text, "%s%s%s%s", *text ? " " : "", option->name[1] ? "--" : "-", option->name,
+                        !option->argument                  ? ""
+                        : thud_option_stands_alone(option) ? "="
+                                                           : " ");
         if (!option || option->argument)
             put_quoted(text, sizeof text, value);
     }
@@ -224,11 +220,10 @@ static void designs_of_report(struct thud_tui *tui, struct thud_line *line)
         any = any || tui->designs.item[i].marked;
     for (int i = 0; i < tui->designs.n; i++) {
         const struct thud_design *d = &tui->designs.item[i];
-        size_t n = strlen(text);
         thud_tui_design_path(tui, d->name, path, sizeof path);
         if (*d->name && (d->marked || !any) && strcmp(path, tui->doc.path) != 0 &&
             !thud_doc_runs_alike(d->scene, &tui->doc.scene) && access(path, F_OK) == 0)
-            snprintf(text + n, sizeof text - n, "%s%.500s", n ? "," : "", path);
+            thud_append(text, sizeof text, "%s%.500s", *text ? "," : "", path);
     }
     thud_line_set(line, text);
 }

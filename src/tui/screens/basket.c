@@ -66,8 +66,7 @@ static void put_in(struct thud_tui *tui, struct thud_basket *basket);
 static void typed(struct thud_tui *tui, const char *text)
 {
     struct thud_basket *basket = tui->own[THUD_SCREEN_RECORD]; /* begins that screen's state */
-    size_t n = strlen(basket->pending);
-    snprintf(basket->pending + n, sizeof basket->pending - n, "%.60s", text);
+    thud_append(basket->pending, sizeof basket->pending, "%.60s", text);
     if (*text)
         put_in(tui, basket);
 }
@@ -92,9 +91,8 @@ static void put_in(struct thud_tui *tui, struct thud_basket *basket)
     thud_tui_say_error(tui, &err);
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         if (strcmp(err.key, keys[i]) == 0) {
-            size_t n = strlen(basket->pending);
             snprintf(tui->dialog.target, sizeof tui->dialog.target, "its %s, to be read: ", keys[i]);
-            snprintf(basket->pending + n, sizeof basket->pending - n, ":%s=", keys[i]);
+            thud_append(basket->pending, sizeof basket->pending, ":%s=", keys[i]);
             thud_error_text(&err, text, sizeof text);
             thud_tui_prompt(tui, &prompt, "");
         }

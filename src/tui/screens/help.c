@@ -34,9 +34,9 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_help_state *help = state(tui);
     (void)index;
-    int n = snprintf(text, size, "Help for %s", tui->view[tui->before]->title);
-    if (*help->word && n > 0 && (size_t)n < size)
-        snprintf(text + n, size - (size_t)n, ", \"%.40s\"%s", help->word, help->at < 0 ? " not found" : "");
+    snprintf(text, size, "Help for %s", tui->view[tui->before]->title);
+    if (*help->word)
+        thud_append(text, size, ", \"%.40s\"%s", help->word, help->at < 0 ? " not found" : "");
 }
 
 /* A line with every match marked, the one gone to in another way than the rest. */

@@ -65,7 +65,8 @@ static void wrap(struct thud_help_text *text, int columns, const char *key, int 
         char start[THUD_HELP_COLUMNS + 1];
         snprintf(start, sizeof start, "%*s%s", key_column, "", first ? key : "");
         line->key = first && *key ? thud_utf8_columns(start) : 0;
-        int n = snprintf(line->text, sizeof line->text, "%-*s", indent, start), at = indent;
+        int at = indent;
+        snprintf(line->text, sizeof line->text, "%-*s", indent, start);
         while (*words) {
             size_t length = strcspn(words, " ");
             char word[256];
@@ -74,7 +75,7 @@ static void wrap(struct thud_help_text *text, int columns, const char *key, int 
             bool begun = at > indent;
             if (begun && at + 1 + width > columns)
                 break;
-            n += snprintf(line->text + n, sizeof line->text - (size_t)n, "%s%s", begun ? " " : "", word);
+            thud_append(line->text, sizeof line->text, "%s%s", begun ? " " : "", word);
             at += begun + width;
             words += length + strspn(words + length, " ");
         }

@@ -101,9 +101,8 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
         double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
         if (!(omega > 0.0))
             continue;
-        size_t n = strlen(periods), m = strlen(masses);
-        snprintf(periods + n, sizeof periods - n, "%8s", thud_tui_number(2.0 * THUD_PI / omega, number));
-        snprintf(masses + m, sizeof masses - m, "%*.1f", m == 3 ? 7 : 8, 100.0 * gamma * gamma / total);
+        thud_append(periods, sizeof periods, "%8s", thud_tui_number(2.0 * THUD_PI / omega, number));
+        thud_append(masses, sizeof masses, "%*.1f", masses[3] ? 8 : 7, 100.0 * gamma * gamma / total);
     }
     if (strlen(periods) < 4)
         return y;

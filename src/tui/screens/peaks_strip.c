@@ -42,10 +42,7 @@ static int edge_of(const struct strip *strip, int column)
 /* Appends a head that ends over column `edge` of the pane; the title begins a column before the pane does. */
 static void add_head(char *text, size_t size, int edge, const char *head)
 {
-    int used = thud_utf8_columns(text), room = edge - 1 - used;
-    size_t n = strlen(text);
-    if (n < size)
-        snprintf(text + n, size - n, "%*s", room, head);
+    thud_append(text, size, "%*s", edge - 1 - thud_utf8_columns(text), head);
 }
 
 void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_t size)

@@ -261,11 +261,10 @@ static struct thud_shown_unit energy_unit(const struct thud_result *result)
 static void impact_rest(const struct thud_impact *impact, double per_j, char *text, size_t size)
 {
     char d[24], ms[24], e[24], lost[24];
-    size_t n = strlen(text);
-    snprintf(text + n, size - n, " %8s %8s %7s %9s", thud_tui_number(1e3 * impact->indentation_m, d),
-             thud_tui_number(1e3 * impact->duration_s, ms),
-             isnan(impact->restitution) ? "-" : thud_tui_number(impact->restitution, e),
-             thud_tui_number(per_j * impact->dissipated_j, lost));
+    thud_append(text, size, " %8s %8s %7s %9s", thud_tui_number(1e3 * impact->indentation_m, d),
+                thud_tui_number(1e3 * impact->duration_s, ms),
+                isnan(impact->restitution) ? "-" : thud_tui_number(impact->restitution, e),
+                thud_tui_number(per_j * impact->dissipated_j, lost));
 }
 
 static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)

@@ -195,20 +195,20 @@ double thud_chart_value(const struct thud_series *s, double x)
 void thud_chart_words(const struct thud_panel *panel, double x, char *text, size_t size)
 {
     const struct thud_axis *across = &panel->axis[THUD_X], *up = &panel->axis[THUD_Y];
-    size_t n = (size_t)snprintf(text, size, "%s %.5g%s%s:", across->label ? across->label : "x", x,
-                                across->unit && *across->unit ? " " : "", across->unit ? across->unit : "");
+    snprintf(text, size, "%s %.5g%s%s:", across->label ? across->label : "x", x,
+             across->unit && *across->unit ? " " : "", across->unit ? across->unit : "");
     static const double rounding = 1e-12; /* in any unit that is shown */
-    for (int i = 0; i < panel->nseries && n < size; i++) {
+    for (int i = 0; i < panel->nseries; i++) {
         const struct thud_series *s = panel->series[i];
         double value = thud_chart_value(s, x);
         if (isnan(value) || thud_series_is_shade(s))
             continue;
         if (fabs(value) < rounding)
             value = 0;
-        n += (size_t)snprintf(text + n, size - n, "  %.40s %.3g", s->name && *s->name ? s->name : up->label, value);
+        thud_append(text, size, "  %.40s %.3g", s->name && *s->name ? s->name : up->label, value);
     }
-    if (n < size && up->unit)
-        snprintf(text + n, size - n, " %s", up->unit);
+    if (up->unit)
+        thud_append(text, size, " %s", up->unit);
 }
 
 /* Dashes and dots that tell curves apart where there is no colour; in ASCII their numbers do. */
