@@ -11,19 +11,14 @@
 #include "tui/document/scene_edit.h"
 #include "tui/document/session_log.h"
 
-static double law_value(const struct thud_law_choice *choice, const char *name)
-{
-    int i = choice->law ? thud_law_param(choice->law, name) : -1;
-    return i < 0 ? NAN : choice->value[i];
-}
-
 double thud_scene_force_at_knee(const struct thud_scene *scene, int interface)
 {
     if (interface < 0 || interface + 1 >= scene->nstructures || !scene->interface[interface].has_bumper)
         return NAN;
-    const struct thud_interface *at = &scene->interface[interface];
-    double n = law_value(&at->bumper, "exponent"), part = law_value(&at->bumper, "max-strain");
-    return law_value(&at->bumper, "stiffness") * pow(part * at->bumper_thickness_m, n);
+    struct thud_law_choice law = scene->interface[interface].bumper;
+    const double *k = thud_law_given(&law, "stiffness"), *n = thud_law_given(&law, "exponent"),
+                 *part = thud_law_given(&law, "max-strain");
+    return k && n && part ? *k * pow(*part * scene->interface[interface].bumper_thickness_m, *n) : NAN;
 }
 
 /* The unit a field is shown in: that of its text now, else its table's. */
@@ -58,8 +53,7 @@ void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char 
         return;
     char unit[48];
     thud_tui_shown_unit(tui, key, unit, sizeof unit);
-    size_t n = strlen(text);
-    snprintf(text + n, size - n, "%s%s", *unit ? " " : "", unit);
+    thud_append(text, size, "%s%s", *unit ? " " : "", unit);
 }
 
 /* Soft bounds warn. */
@@ -273,11 +267,11 @@ void thud_tui_keep_force(struct thud_tui *tui)
 {
     struct thud_scene next = tui->doc.scene;
     struct thud_law_choice *bumper = &next.interface[tui->kept.interface].bumper;
-    int k = bumper->law ? thud_law_param(bumper->law, "stiffness") : -1;
+    double *k = thud_law_given(bumper, "stiffness");
     double now = thud_scene_force_at_knee(&next, tui->kept.interface), before = tui->kept.before_n;
-    if (k < 0 || !(now > 0.0) || !(before > 0.0))
+    if (!k || !(now > 0.0) || !(before > 0.0))
         return;
-    bumper->value[k] *= before / now;
+    *k *= before / now;
     tui->kept.before_n = NAN;
     change(tui, &next, "stiffness chosen so that F(delta_u) is as before", "keep-force");
 }
