@@ -402,6 +402,28 @@ START_TEST(kinds_are_typed)
 }
 END_TEST
 
+/* As `thud new` takes them when the field is left: the right value goes with the left one, a kind has its usual
+ * stiffness, "no" is none. A blank does not take away what is selected. */
+START_TEST(answers_are_those_of_the_command)
+{
+    fixture_keys(&f, "n ");
+    struct thud_form_over *form = f.tui->dialog.own;
+    ck_assert_str_eq(form->row[THUD_NEW_STOREYS].value[0].text, "4");
+    fixture_keys(&f, "<Down>300 t<Tab>");
+    ck_assert_str_eq(form->row[THUD_NEW_MASS].value[1].text, "300 t");
+    fixture_keys(&f, "<Up><Up>estimated<Down>");
+    ck_assert_str_eq(form->row[THUD_NEW_STIFFNESS].value[0].text, "600 MN/m");
+    ck_assert_str_eq(form->row[THUD_NEW_STIFFNESS].value[1].text, "concrete-frame");
+    fixture_keys(&f, "<Up>shear<Down>");
+    ck_assert_str_eq(form->row[THUD_NEW_STIFFNESS].value[1].text, "600 MN/m");
+    while (form->at != THUD_NEW_SOIL)
+        fixture_keys(&f, "<Down>");
+    fixture_keys(&f, "no<Down>");
+    ck_assert_str_eq(form->row[THUD_NEW_SOIL].value[0].text, "");
+    fixture_keys(&f, "<Esc>");
+}
+END_TEST
+
 /* Goal and range are asked for in fields of their own. */
 START_TEST(solving_has_a_form)
 {
@@ -1044,6 +1066,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, designs_are_gone_to_named_and_compared);
     tcase_add_test(files, a_new_scene_is_refused);
     tcase_add_test(files, kinds_are_typed);
+    tcase_add_test(files, answers_are_those_of_the_command);
     tcase_add_test(files, solving_has_a_form);
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);

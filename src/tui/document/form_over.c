@@ -36,22 +36,15 @@ struct thud_over_row *thud_form_over_add(struct thud_form_over *form, const char
 
 void thud_form_over_focus(struct thud_form_over *form, int row, int side)
 {
+    if (form->left && strcmp(line_here(form)->text, form->was) != 0)
+        form->left(form);
     form->at = row;
     form->side = side;
     form->prefix[0] = '\0';
     struct thud_line *line = line_here(form);
     line->cursor = (int)strlen(line->text);
     line->selected = *line->text != '\0';
-}
-
-/* The right value follows the left one until it is typed. */
-static void follow(struct thud_form_over *form)
-{
-    struct thud_over_row *row = here(form);
-    if (form->side == 1)
-        row->own = true;
-    else if (row->two && !row->own)
-        thud_line_set(&row->value[1], row->value[0].text);
+    snprintf(form->was, sizeof form->was, "%s", line->text);
 }
 
 /* The next value in a direction that there is. */
@@ -147,7 +140,6 @@ static void type(struct thud_tui *tui, struct thud_form_over *form, int key)
         return;
     else if (row->motion)
         list_files(tui, form);
-    follow(form);
     if (!*form->prefix)
         thud_tui_hush(tui);
 }
@@ -162,6 +154,7 @@ static void take_key(struct thud_tui *tui, int key)
         break;
     case THUD_DO_ACCEPT:
         take_file(tui, form);
+        thud_form_over_focus(form, form->at, form->side);
         form->done(tui, form);
         break;
     case THUD_DO_ACCEPT_NEXT:

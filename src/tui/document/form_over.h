@@ -13,9 +13,8 @@ struct thud_over_row {
                           int i); /* the i-th word it takes, NULL past the last; NULL: any text */
     const void *of;               /* what the row stands for */
     bool only;                    /* no other text than those words */
-    bool two;    /* a value for each structure; the right one goes with the left one until it is its own */
-    bool motion; /* a ground motion: files that fit what is typed are listed */
-    bool own;
+    bool two;                     /* a value for each structure */
+    bool motion;                  /* a ground motion: files that fit what is typed are listed */
     struct thud_line value[2];
 };
 
@@ -25,8 +24,10 @@ struct thud_form_over {
     struct thud_over_row row[THUD_OVER_ROWS]; /* (n) */
     int id;                                   /* what the form is of, for who reads it */
     char prefix[24];                          /* letters typed on words to choose from */
+    char was[THUD_LINE_MAX];                  /* what stood in the field before it was entered */
     struct thud_browse files;
     bool (*applies)(const struct thud_form_over *form, int row, int side); /* NULL: all do */
+    void (*left)(struct thud_form_over *form); /* the field is left, or accepted; NULL: nothing follows from it */
     void (*done)(struct thud_tui *tui, struct thud_form_over *form); /* Enter; it leaves the form, or says why not */
 };
 

@@ -28,8 +28,19 @@ static void values_of(const struct thud_form_over *form, struct thud_new_preset 
 {
     for (int row = 0; row < THUD_NEW_ROWS; row++)
         for (int side = 0; side < 2; side++)
-            snprintf(preset->text[row][side], sizeof preset->text[row][side], "%.250s",
-                     form->row[row].value[side].text);
+            snprintf(preset->text[row][side], sizeof preset->text[row][side], "%s", form->row[row].value[side].text);
+}
+
+/* Takes an answer as `thud new` does, and what follows from it. */
+static void answer(struct thud_form_over *form)
+{
+    struct thud_new_preset preset;
+    values_of(form, &preset);
+    snprintf(preset.text[form->at][form->side], sizeof *preset.text[0], "%s", form->was);
+    thud_new_preset_answer(&preset, (enum thud_new_row)form->at, form->side,
+                           form->row[form->at].value[form->side].text);
+    for (int i = 0; i < 2 * THUD_NEW_ROWS; i++)
+        thud_line_set(&form->row[i / 2].value[i % 2], preset.text[i / 2][i % 2]);
 }
 
 static bool applies(const struct thud_form_over *form, int row, int side)
@@ -109,7 +120,6 @@ static struct thud_form_over *begin(struct thud_tui *tui)
         struct thud_over_row *row = thud_form_over_add(form, about->label, about->help, preset.text[i][0]);
         thud_line_set(&row->value[1], preset.text[i][1]);
         row->two = !about->single;
-        row->own = i == THUD_NEW_STOREYS || i == THUD_NEW_KIND; /* of each by itself */
         row->motion = i == THUD_NEW_RECORD;
         row->only = i == THUD_NEW_KIND;
         row->choice = i == THUD_NEW_KIND ? kind : NULL;
@@ -119,6 +129,7 @@ static struct thud_form_over *begin(struct thud_tui *tui)
     form->applies = applies;
     form->done = make;
     thud_form_over_focus(form, THUD_NEW_STOREYS, 0);
+    form->left = answer;
     return form;
 }
 

@@ -106,6 +106,10 @@ bool thud_line_key(struct thud_line *line, int key)
         thud_line_set(line, "");
         return true;
     }
+    if (selected && key == ' ') { /* it would leave nothing but itself */
+        line->selected = false;
+        return true;
+    }
     if (!edit(line, key))
         return false;
     line->selected = false;
