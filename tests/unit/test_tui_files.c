@@ -514,6 +514,35 @@ START_TEST(a_session_is_played_again)
 }
 END_TEST
 
+/* A key that is held is one change, in the log as well, and another key begins the next one. */
+START_TEST(a_held_key_is_one_change)
+{
+    const double *gap_m = &f.tui->doc.scene.interface[0].gap_m;
+    struct thud_text out = {0};
+    struct thud_error err = {0};
+    char path[100], line[200];
+    fixture_keys(&f, ":set gap 4 cm<Enter><A-2>");
+    const int before = f.tui->doc.undo.count;
+    fixture_keys(&f, "((");
+    ck_assert_double_eq_tol(*gap_m, 0.038, 1e-12);
+    fixture_keys(&f, ")");
+    ck_assert_double_eq_tol(*gap_m, 0.039, 1e-12);
+    ck_assert_int_eq(f.tui->doc.undo.count, before + 2);
+    fixture_keys(&f, "u");
+    ck_assert_double_eq_tol(*gap_m, 0.038, 1e-12);
+    fixture_keys(&f, "((u((");
+    snprintf(path, sizeof path, "%s/held.thud", f.folder);
+    snprintf(line, sizeof line, ":log %s<Enter>", path);
+    fixture_keys(&f, line);
+    fixture_keys(&f, "u"); /* both at once, not one of them */
+    ck_assert_double_eq_tol(*gap_m, 0.038, 1e-12);
+    fixture_keys(&f, ":set gap 9 cm<Enter>");
+    ck_assert_int_eq(thud_tui_play_lines(f.tui, path, &out, &err), THUD_OK);
+    ck_assert_double_eq_tol(*gap_m, 0.036, 1e-12);
+    thud_text_clear(&out);
+}
+END_TEST
+
 /* A refused command ends it, with its line. */
 START_TEST(a_session_stops_where_it_cannot)
 {
@@ -1078,6 +1107,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, numbers_are_copied);
     tcase_add_test(files, settings_come_from_a_file);
     tcase_add_test(files, a_session_is_played_again);
+    tcase_add_test(files, a_held_key_is_one_change);
     tcase_add_test(files, a_session_stops_where_it_cannot);
     tcase_add_test(files, a_new_scene_as_a_command);
     tcase_add_test(files, saving_under_another_name);

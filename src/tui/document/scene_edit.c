@@ -203,19 +203,24 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
     return true;
 }
 
-/* The state that changes are compared with stays while the same value is stepped; what the mouse drags with its button
- * down is one change. */
+/* The state that changes are compared with stays while the same value is stepped; what a key that is held does, or the
+ * mouse with its button down, is one change, and one line of the log. */
 bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text)
 {
-    const bool more = strcmp(tui->run.stepped, key) == 0 && tui->run.stepped_to == tui->doc.revision;
-    if (more && tui->dragging)
+    const bool more = strcmp(tui->run.stepped, key) == 0 && tui->run.stepped_to == tui->doc.revision,
+               one = more && tui->again;
+    const size_t logged = tui->log.size, from = one ? tui->run.stepped_log : logged;
+    if (one)
         thud_doc_undo(&tui->doc);
+    tui->log.size = from;
     const int before = tui->doc.undo.at;
     if (!thud_tui_set(tui, key, text)) {
-        if (more && tui->dragging)
+        if (one)
             thud_doc_redo(&tui->doc);
+        tui->log.size = logged;
         return false;
     }
+    tui->run.stepped_log = from;
     snprintf(tui->run.stepped, sizeof tui->run.stepped, "%s", tui->doc.undo.at > before ? key : "");
     tui->run.stepped_to = tui->doc.revision;
     tui->run.stepping = more;

@@ -161,6 +161,7 @@ struct thud_running {
     int design;                  /* number of the one that was run last; 0: none */
     char stepped[THUD_PATH_MAX]; /* the key that is being stepped, to this revision, */
     unsigned long stepped_to;
+    size_t stepped_log; /* where the line of the last step begins in the log */
     bool stepping;      /* and was before: changes are compared with what was before the first step */
     unsigned long seen; /* the document's, when it was last followed, and the histories wanted then */
     enum thud_live_history seen_history;
@@ -244,7 +245,8 @@ struct thud_tui {
     double reading[THUD_SCREENS + 1]; /* x of the cursor that reads a screen's chart; NaN: it is not there */
     struct thud_chart_window window[THUD_SCREENS + 1]; /* what is shown of it */
     int dragged_x;                                     /* the column where the mouse was, while its button is down */
-    bool grabbed, dragging; /* the button went down on a field; the mouse moves with it down */
+    int key;                                           /* the last one */
+    bool grabbed, again; /* the button went down on a field; the key is the one before it: held, or the mouse drags */
     bool mouse;
     int taken[THUD_ACTIONS +
               THUD_SCREENS]; /* how often an action was done, and a screen gone to: newcomers' next steps */

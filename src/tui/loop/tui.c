@@ -229,7 +229,8 @@ static void take_key(struct thud_tui *tui, int key)
     }
     if (key == THUD_KEY_RESIZE || !heard(tui, key))
         return;
-    tui->dragging = key == THUD_KEY_DRAG;
+    tui->again = key == tui->key;
+    tui->key = key;
     if (key == THUD_KEY_HANGUP) {
         tui->end.hangup = tui->end.quit = true;
     } else if (key == THUD_CTRL('c')) {
