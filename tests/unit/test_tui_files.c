@@ -488,7 +488,7 @@ START_TEST(a_session_is_played_again)
     char line[200], path[100], text[700];
     f.script.paste = "310\n290\n";
     fixture_keys(&f, "<A-2><Enter>3.5<Enter><Down>+u<A-1>a:title Tried<Enter>=/structures.1.mass.2<Enter><Paste>");
-    fixture_keys(&f, "xv:vary gap=1 cm:2 cm:1 cm<Enter>:vary2 contact.restitution=0.5,0.6<Enter><A-2>B<A-1>V");
+    fixture_keys(&f, "xv:vary gap=1 cm:2 cm:1 cm; contact.restitution=0.5,0.6<Enter><A-2>B<A-1>V");
     fixture_keys(&f, "<A-4>e");
     by_keys = f.tui->doc.scene;
     snprintf(path, sizeof path, "%s/tried.thud", f.folder);
@@ -539,6 +539,28 @@ START_TEST(a_held_key_is_one_change)
     fixture_keys(&f, ":set gap 9 cm<Enter>");
     ck_assert_int_eq(thud_tui_play_lines(f.tui, path, &out, &err), THUD_OK);
     ck_assert_double_eq_tol(*gap_m, 0.036, 1e-12);
+    thud_text_clear(&out);
+}
+END_TEST
+
+/* Varied keys that change their places at once do so again where the session is played. */
+START_TEST(swapped_keys_of_a_study_are_played_again)
+{
+    const struct thud_study_choice *study = &f.tui->doc.scene.study;
+    struct thud_text out = {0};
+    struct thud_error err = {0};
+    char path[100], line[200];
+    fixture_keys(&f, "<A-6><Enter>gap=1 cm:2 cm:1 cm<Tab>contact.restitution=0.5:0.6:0.1<Enter>");
+    fixture_keys(&f, "<Enter>contact.restitution=0.5:0.6:0.1<Tab>gap=1 cm:2 cm:1 cm<Enter>");
+    ck_assert_str_eq(study->vary[0].key, "contact.restitution");
+    snprintf(path, sizeof path, "%s/swapped.thud", f.folder);
+    snprintf(line, sizeof line, ":log %s<Enter>:vary gap=3 cm:4 cm:1 cm<Enter>", path);
+    fixture_keys(&f, line);
+    ck_assert_int_eq(study->nvary, 1);
+    ck_assert_msg(thud_tui_play_lines(f.tui, path, &out, &err) == THUD_OK, "%s", err.what);
+    ck_assert_int_eq(study->nvary, 2);
+    ck_assert_str_eq(study->vary[0].key, "contact.restitution");
+    ck_assert_str_eq(study->vary[1].key, "gap");
     thud_text_clear(&out);
 }
 END_TEST
@@ -1108,6 +1130,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, settings_come_from_a_file);
     tcase_add_test(files, a_session_is_played_again);
     tcase_add_test(files, a_held_key_is_one_change);
+    tcase_add_test(files, swapped_keys_of_a_study_are_played_again);
     tcase_add_test(files, a_session_stops_where_it_cannot);
     tcase_add_test(files, a_new_scene_as_a_command);
     tcase_add_test(files, saving_under_another_name);

@@ -112,8 +112,7 @@ static bool begin_with(struct thud_tui *tui, struct thud_form_over *form, int ke
     char prefix[sizeof form->prefix], words[200] = "";
     snprintf(prefix, sizeof prefix, "%.22s%c", form->prefix, key);
     for (int i = 0; row->choice(row, i); i++) {
-        const size_t n = strlen(words);
-        snprintf(words + n, sizeof words - n, "%s%s", i ? ", " : "", row->choice(row, i));
+        thud_append(words, sizeof words, "%s%s", i ? ", " : "", row->choice(row, i));
         if (strncmp(row->choice(row, i), prefix, strlen(prefix)) != 0)
             continue;
         thud_line_select(line_here(form), row->choice(row, i));

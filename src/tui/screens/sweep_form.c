@@ -24,12 +24,11 @@ static bool keep(struct thud_tui *tui, char vary[THUD_VARY_MAX][THUD_VARY_TEXT])
 {
     struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
-    char what[200] = "study: vary", before[THUD_VARY_MAX][THUD_VARY_TEXT];
-    thud_study_vary_texts(&tui->doc.scene, before);
-    for (int i = 0; i < THUD_VARY_MAX; i++) {
-        const size_t n = strlen(what);
-        snprintf(what + n, sizeof what - n, "%s%.120s", i && *vary[i] ? ", " : " ", vary[i]);
-    }
+    char words[THUD_VARY_MAX * (THUD_VARY_TEXT + 2)] = "vary", what[200];
+    for (int i = 0; i < THUD_VARY_MAX; i++)
+        if (*vary[i])
+            thud_append(words, sizeof words, "%s%s", words[4] ? "; " : " ", vary[i]);
+    snprintf(what, sizeof what, "study: %.180s", words);
     enum thud_status status = thud_study_vary_keep(vary, &next, &err);
     if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
@@ -37,17 +36,21 @@ static bool keep(struct thud_tui *tui, char vary[THUD_VARY_MAX][THUD_VARY_TEXT])
         thud_tui_say_error(tui, &err);
         return false;
     }
-    for (int i = 0; i < THUD_VARY_MAX; i++)
-        if (*vary[i] || *before[i])
-            thud_tui_log(tui, "vary%.*s %s", i > 0, &"1234"[i], vary[i]);
+    thud_tui_log(tui, "%s", words);
     return true;
 }
 
+/* "vary KEY=...; KEY=...": all of them together, as from the form. */
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest)
 {
-    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
-    thud_study_vary_texts(&tui->doc.scene, vary);
-    snprintf(vary[word[4] ? word[4] - '1' : 0], sizeof vary[0], "%s", rest); /* "vary", "vary2", ... */
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT] = {""};
+    (void)word;
+    for (int i = 0; i < THUD_VARY_MAX && *rest; i++) {
+        const size_t n = i + 1 < THUD_VARY_MAX ? strcspn(rest, ";") : strlen(rest);
+        snprintf(vary[i], sizeof vary[i], "%.*s", (int)n, rest);
+        rest += n;
+        rest += strspn(rest, "; ");
+    }
     keep(tui, vary);
 }
 

@@ -28,7 +28,7 @@ bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s);
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
 /* What is typed on a line of it. */
 const char *thud_sweep_form_hint(const struct thud_field *field);
-/* "vary", "vary2", ...: a line of it. */
+/* "vary KEY=...; KEY=...": all its lines. */
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest);
 /* Enter on a line of it: the form of all that is varied. */
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);
