@@ -13,6 +13,9 @@ struct thud_text {
     int failed;
 };
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
+/* Appends words from where the last line ends, in lines of so many columns, the further ones behind `indent` blanks. A
+ * tab is a blank at which no line ends. */
+void thud_text_wrap(struct thud_text *text, const char *words, size_t indent, size_t columns);
 /* Appends to a text in `size` bytes, and cuts what has no room. */
 void thud_append(char *text, size_t size, const char *fmt, ...) THUD_PRINTF(3, 4);
 void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size);

@@ -57,6 +57,21 @@ void thud_text_base64(struct thud_text *out, const char *bytes, size_t n)
     }
 }
 
+void thud_text_wrap(struct thud_text *text, const char *words, size_t indent, size_t columns)
+{
+    const char *line = text->data ? strrchr(text->data, '\n') : NULL;
+    size_t column = text->size - (line ? (size_t)(line + 1 - text->data) : 0), from = text->size;
+    for (const char *word = words + strspn(words, " "); *word; word += strspn(word, " ")) {
+        const size_t n = strcspn(word, " "), blank = column > 0 && text->data[text->size - 1] != ' ';
+        const bool fits = column <= indent || column + blank + n <= columns;
+        thud_text_append(text, "%s%*s%.*s", fits ? "" : "\n", (int)(fits ? blank : indent), "", (int)n, word);
+        column = (fits ? column + blank : indent) + n;
+        word += n;
+    }
+    for (; from < text->size; from++)
+        text->data[from] = text->data[from] == '\t' ? ' ' : text->data[from];
+}
+
 void thud_append(char *text, size_t size, const char *fmt, ...)
 {
     const size_t n = strlen(text);

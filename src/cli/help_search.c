@@ -223,15 +223,8 @@ static void rank(struct pages *p, char word[WORDS_MAX][32], int words)
 
 static void show(const struct pages *p, const struct paragraph *it, struct thud_text *out)
 {
-    thud_text_append(out, "%s%s, %s\n", out->size ? "\n" : "", it->page, it->section);
-    const char *word = p->text.data + it->at;
-    for (size_t column = 0; *word; word += strspn(word, " ")) {
-        const size_t n = strcspn(word, " ");
-        const bool first = column == 0, fits = column + 1 + n <= COLUMNS;
-        thud_text_append(out, "%s%.*s", first ? "  " : fits ? " " : "\n  ", (int)n, word);
-        column = first || !fits ? n + 2 : column + 1 + n;
-        word += n;
-    }
+    thud_text_append(out, "%s%s, %s\n  ", out->size ? "\n" : "", it->page, it->section);
+    thud_text_wrap(out, p->text.data + it->at, 2, COLUMNS);
     thud_text_append(out, "\n");
 }
 

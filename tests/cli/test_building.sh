@@ -65,7 +65,8 @@ is "for OpenSees" gives 0 export opensees frame-beside-wall --case none --set co
 is "its matrix is springs" shows '^ops.uniaxialMaterial("Elastic", 20000[0-9]*, 349473602\(\.0*\)*)'
 
 is "an unknown neighbour" gives 0 run beside-unknown
-is "both estimates, and which is taken" shows '^estimated: T1 0.3384 s by EN 1998-1 4.3.3.2.2(3), multiplied by 1; 0.3302 s by ASCE 7-16 12.8.2.1;$'
+is "both estimates, and which is taken" shows '^estimated: T1 0.3384 s by EN 1998-1 4.3.3.2.2(3), multiplied by 1; 0.3302 s by$'
+is "with the clause in the next line" shows '^ASCE 7-16 12.8.2.1; measured periods are 0.7 to 1.4 times such estimates$'
 is "as JSON" gives 0 run beside-unknown --json --quiet
 is "with units" shows '"estimate": {"en1998_period_s": 0.33835[0-9]*, "asce7_period_s": 0.33023[0-9]*, "floor_mass_kg": 280000, "storey_stiffness_npm": '
 is "the gap over its periods" gives 0 gap beside-unknown

@@ -113,6 +113,22 @@ START_TEST(a_fixed_text_is_cut_at_its_end)
 }
 END_TEST
 
+/* By hand: lines of 12 columns, what follows a label further in, and a number with its unit. */
+START_TEST(words_are_wrapped)
+{
+    struct thud_text text = {0};
+    thud_text_append(&text, "before\nat ");
+    thud_text_wrap(&text, "one two  three 12\tkN much-longer-than-a-line x", 3, 12);
+    ck_assert_str_eq(text.data, "before\nat one two\n   three\n   12 kN\n   much-longer-than-a-line\n   x");
+    thud_text_clear(&text);
+    thud_text_wrap(&text, "a b", 0, 1);
+    ck_assert_str_eq(text.data, "a\nb");
+    thud_text_wrap(&text, " ", 0, 1);
+    ck_assert_str_eq(text.data, "a\nb");
+    thud_text_clear(&text);
+}
+END_TEST
+
 START_TEST(utf8_characters)
 {
     static const struct {
@@ -233,6 +249,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("text");
     tcase_add_test(tcase, grows_past_every_capacity);
     tcase_add_test(tcase, a_fixed_text_is_cut_at_its_end);
+    tcase_add_test(tcase, words_are_wrapped);
     tcase_add_test(tcase, utf8_characters);
     tcase_add_test(tcase, numbers_read_back_the_same);
     tcase_add_test(tcase, numbers_have_the_fewest_digits);

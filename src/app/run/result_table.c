@@ -11,6 +11,8 @@
 #include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 
+enum { WIDTH = 80, LABEL = 15 }; /* columns of a line, and where the words behind its label begin */
+
 static void add_head(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_scene *scene = report->scene;
@@ -106,12 +108,16 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
                          thud_digits(1e-6 * r->overturning.value, 5, number), r->overturning.time_s);
     if (thud_period_is_estimated(p)) {
         const struct thud_estimate e = thud_structure_estimate(p);
-        thud_text_append(out,
-                         "\nestimated: T1 %.4g s by EN 1998-1 4.3.3.2.2(3), multiplied by %.4g; %.4g s by ASCE 7-16 "
-                         "12.8.2.1;\nmeasured periods are %.4g to %.4g times such estimates (`thud gap` covers this "
-                         "range); floors of %.4g t, %.4g t/m2",
-                         e.en1998_s, p->period_factor, e.asce7_s, THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST,
-                         1e-3 * p->mass_kg[0], 1e-3 * p->mass_kg[0] / p->area_m2);
+        char words[400];
+        snprintf(
+            words, sizeof words,
+            "estimated: T1 %.4g\ts by EN 1998-1\t4.3.3.2.2(3), multiplied by %.4g; %.4g\ts by ASCE\t7-16\t12.8.2.1; "
+            "measured periods are %.4g to %.4g times such estimates (`thud\tgap` covers this range); "
+            "floors of %.4g\tt, %.4g\tt/m2",
+            e.en1998_s, p->period_factor, e.asce7_s, THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST, 1e-3 * p->mass_kg[0],
+            1e-3 * p->mass_kg[0] / p->area_m2);
+        thud_text_append(out, "\n");
+        thud_text_wrap(out, words, 0, WIDTH);
     }
     if (thud_isolator_slides(p))
         thud_text_append(out, "\nisolators: %s, displacement %.4g mm at %.3f s, %.4g mm at the end; %.5g kJ lost",
@@ -154,13 +160,13 @@ static void add_contacts(const struct thud_report *report, struct thud_text *out
 }
 
 /* Steps end where the ground motion has its samples, so that the one asked for is the longest there may be. */
-static void add_step(double taken_s, double asked_s, struct thud_text *out)
+static void add_step(double taken_s, double asked_s, char *text, size_t size)
 {
-    thud_text_append(out, "step %.4g s", taken_s);
+    thud_append(text, size, "step %.4g\ts", taken_s);
     if (isnan(asked_s))
-        thud_text_append(out, " (its own choice)");
+        thud_append(text, size, " (its own choice)");
     else if (fabs(taken_s - asked_s) > 1e-6 * asked_s)
-        thud_text_append(out, " (for %.4g s: steps end at the motion's samples)", asked_s);
+        thud_append(text, size, " (for %.4g\ts: steps end at the motion's samples)", asked_s);
 }
 
 /* "isolators, storeys that yield and links that slip": whatever of them the scene has; false: none. */
@@ -177,15 +183,11 @@ static bool name_losses(const struct thud_report *report, char *text, size_t siz
     const char *part[] = {"isolators", "storeys that yield", "links that slip"};
     const bool has[] = {isolators, storeys, thud_scene_slips(report->scene)};
     int left = has[0] + has[1] + has[2];
-    size_t used = 0;
     text[0] = '\0';
     for (int i = 0; i < 3; i++)
         if (has[i])
-            used += (size_t)snprintf(text + used, size - used, "%s%s", part[i],
-                                     --left > 1  ? ", "
-                                     : left == 1 ? " and "
-                                                 : "");
-    return used > 0;
+            thud_append(text, size, "%s%s", part[i], --left > 1 ? ", " : left == 1 ? " and " : "");
+    return *text != '\0';
 }
 
 static void add_foot(const struct thud_report *report, struct thud_text *out)
@@ -203,16 +205,21 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
     if (report->scene->p_delta)
         thud_text_append(out, "\n               work of the weight %.5g;", 1e-3 * e->gravity_j);
     thud_text_append(out, " unaccounted %.1e\n", e->error_ratio);
+    char words[300] = "";
     thud_text_append(out, "method         %s", r->method);
     if (r->reason[0])
-        thud_text_append(out, " (%s)", r->reason);
+        snprintf(words, sizeof words, "(%s)", r->reason);
+    thud_text_wrap(out, words, LABEL, WIDTH);
     thud_text_append(out, "\n               ");
+    *words = '\0';
     if (isnan(r->step_s))
-        thud_text_append(out, "tolerance %g", report->scene->analysis.tolerance);
+        thud_append(words, sizeof words, "tolerance %g", report->scene->analysis.tolerance);
     else
-        add_step(r->step_s, report->scene->analysis.step_s, out);
-    thud_text_append(out, ", %ld steps, %ld force evaluations, %ld events, to %.5g s\n", r->work.steps,
-                     r->work.force_evaluations, r->work.events, r->end_s);
+        add_step(r->step_s, report->scene->analysis.step_s, words, sizeof words);
+    thud_append(words, sizeof words, ", %ld steps, %ld force evaluations, %ld events, to\t%.5g\ts", r->work.steps,
+                r->work.force_evaluations, r->work.events, r->end_s);
+    thud_text_wrap(out, words, LABEL, WIDTH);
+    thud_text_append(out, "\n");
 }
 
 static void add_truncation(const struct thud_truncation *t, struct thud_text *out)
