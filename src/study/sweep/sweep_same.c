@@ -17,11 +17,10 @@ struct key {
     long run; /* in the group */
 };
 
-/* A result that more than one run has. */
+/* A result that more than one run has. Behind it stand its contacts, (nvariants x ncontacts). */
 struct kept {
     struct thud_sweep_effort effort;
-    struct thud_sweep_floor *floor;     /* (nvariants x nfloors) */
-    struct thud_sweep_contact *contact; /* (nvariants x ncontacts) */
+    struct thud_sweep_floor floor[]; /* (nvariants x nfloors) */
 };
 
 struct thud_sweep_same {
@@ -230,11 +229,11 @@ bool thud_sweep_is_made_before(const struct thud_sweep_group *group, long point,
 static void move(struct kept *kept, const struct thud_sweep_point *point, int k, bool away)
 {
     size_t floors = (size_t)point->nfloors * sizeof *kept->floor;
-    size_t contacts = (size_t)point->ncontacts * sizeof *kept->contact;
+    size_t contacts = (size_t)point->ncontacts * sizeof(struct thud_sweep_contact);
+    struct thud_sweep_contact *all = (void *)(kept->floor + point->nvariants * point->nfloors);
     for (int v = 0; v < point->nvariants; v++) {
         struct thud_sweep_floor *floor = thud_sweep_floors(point, v, k), *with = kept->floor + v * point->nfloors;
-        struct thud_sweep_contact *contact = thud_sweep_contacts(point, v, k);
-        struct thud_sweep_contact *there = kept->contact + v * point->ncontacts;
+        struct thud_sweep_contact *contact = thud_sweep_contacts(point, v, k), *there = all + v * point->ncontacts;
         memcpy(away ? with : floor, away ? floor : with, floors);
         memcpy(away ? there : contact, away ? contact : there, contacts);
     }
@@ -246,11 +245,8 @@ static enum thud_status keep(struct thud_sweep_group *group, const struct thud_s
     struct kept **place = &group->same->kept[group->same->place[run_of(group, point->index, k)]];
     if (!*place && !(*place = malloc(size_of(point->nvariants, point->nfloors, point->ncontacts))))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    struct kept *kept = *place;
-    kept->effort = point->effort[k];
-    kept->floor = (void *)(kept + 1);
-    kept->contact = (void *)(kept->floor + point->nvariants * point->nfloors);
-    move(kept, point, k, true);
+    (*place)->effort = point->effort[k];
+    move(*place, point, k, true);
     return THUD_OK;
 }
 
