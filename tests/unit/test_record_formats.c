@@ -22,7 +22,7 @@ START_TEST(csv_in_its_spellings)
 }
 END_TEST
 
-/* What stands for the same times and accelerations, and each is read as what it says. */
+/* As spreadsheets of most of Europe write numbers, also where all but the last are whole. */
 START_TEST(decimal_commas_between_semicolons)
 {
     const double a[] = {0.5, -0.1, 2, 0.6};
@@ -37,6 +37,7 @@ START_TEST(decimal_commas_between_semicolons)
 }
 END_TEST
 
+/* What stands for the same times and accelerations, and each is read as what it says. */
 START_TEST(headers_with_units)
 {
     static const struct {
