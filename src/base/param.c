@@ -1,4 +1,5 @@
 #include "base/param.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -40,9 +41,8 @@ void thud_param_allowed(const struct thud_param *param, char *text, unsigned lon
     text[0] = '\0';
     if (param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER)
         range(param, param->least, param->least_open, param->most, param->most_open, text, size);
-    size_t n = strlen(text);
-    for (int i = 0; param->kind != THUD_PARAM_TEXT && param->choices && param->choices[i] && n < size; i++)
-        n += (size_t)snprintf(text + n, size - n, "%s%s", n ? ", " : "", param->choices[i]);
+    for (int i = 0; param->kind != THUD_PARAM_TEXT && param->choices && param->choices[i]; i++)
+        thud_append(text, size, "%s%s", *text ? ", " : "", param->choices[i]);
 }
 
 enum thud_status thud_param_check(const struct thud_param *param, double value, const char *text,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/nearest.h"
+#include "base/text.h"
 
 static const char *dashes(const char *option)
 {
@@ -229,8 +230,7 @@ enum thud_status thud_args_choice(const struct thud_args *args, const char *name
             *out = i;
             return THUD_OK;
         }
-        size_t n = strlen(allowed);
-        snprintf(allowed + n, sizeof allowed - n, "%s%s", n ? ", " : "", choice);
+        thud_append(allowed, sizeof allowed, "%s%s", i ? ", " : "", choice);
     }
     return text ? thud_args_refuse(name, text, allowed, err) : THUD_OK;
 }

@@ -15,9 +15,8 @@ static enum thud_status words(const char *list, struct thud_text *out, struct th
             thud_word_list((enum thud_word)i, "", out);
             return THUD_OK;
         }
-        size_t n = strlen(names);
         if (name)
-            snprintf(names + n, sizeof names - n, "%s%s", n ? ", " : "", name);
+            thud_append(names, sizeof names, "%s%s", *names ? ", " : "", name);
     }
     return thud_error_refuse(err, THUD_USAGE, NULL, names, "there is no list of \"%.40s\"", list);
 }

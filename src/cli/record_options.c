@@ -168,9 +168,8 @@ static enum thud_status read_synthesis_value(const struct thud_synthesis_param *
 static enum thud_status refuse_unknown_value(const char *key, size_t length, struct thud_error *err)
 {
     char list[400] = "event";
-    size_t n = strlen(list);
-    for (size_t i = 0; i < thud_synthesis_param_count && n < sizeof list; i++)
-        n += (size_t)snprintf(list + n, sizeof list - n, ", %s", thud_synthesis_params[i].name);
+    for (size_t i = 0; i < thud_synthesis_param_count; i++)
+        thud_append(list, sizeof list, ", %s", thud_synthesis_params[i].name);
     enum thud_status status = key[length] == '=' ? THUD_INPUT : THUD_USAGE;
     return thud_error_refuse(err, status, "--set", list, "a surrogate has no value \"%.*s\"",
                              (int)(length < 40 ? length : 40), key);

@@ -1,6 +1,5 @@
 #include "cli/study_output.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -133,22 +132,12 @@ static enum thud_status begin_made_by(const struct thud_args *args, const char *
     return status;
 }
 
-static void add_word(struct thud_made_by *out, const char *fmt, ...) THUD_PRINTF(2, 3);
-static void add_word(struct thud_made_by *out, const char *fmt, ...)
-{
-    va_list args;
-    size_t n = strlen(out->what);
-    va_start(args, fmt);
-    vsnprintf(out->what + n, sizeof out->what - n, fmt, args);
-    va_end(args);
-}
-
 static void end_words(const struct thud_args *args, struct thud_made_by *out)
 {
     const char *assignment;
     for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
         if (strncmp(assignment, "gap=", 4) != 0)
-            add_word(out, ", %.60s", assignment);
+            thud_append(out->what, sizeof out->what, ", %.60s", assignment);
     for (char *c = out->what; *c; c++)
         *c = (unsigned char)*c < ' ' ? '?' : *c; /* one line */
 }
@@ -163,19 +152,20 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
     enum thud_status status = begin_made_by(args, group, scene, out, err);
     out->asked = hash_options(out->asked, args, asked);
     if (scene->nstructures > 1)
-        add_word(out, ", gap %.6g cm", 100 * scene->interface[0].gap_m);
+        thud_append(out->what, sizeof out->what, ", gap %.6g cm", 100 * scene->interface[0].gap_m);
     for (; *asked; asked++)
         if ((value = thud_args_value(args, *asked)) != NULL)
-            add_word(out, ", %s %.60s", *asked, value);
+            thud_append(out->what, sizeof out->what, ", %s %.60s", *asked, value);
     for (int i = 0; i < nrecords; i++)
         if (records[i]) {
             out->asked = thud_hash_text(out->asked, records[i]->file);
             out->asked = thud_hash(out->asked, records[i]->a_mps2, records[i]->samples * sizeof *records[i]->a_mps2);
         }
     if (nrecords > 1)
-        add_word(out, ", %d ground motions", nrecords);
+        thud_append(out->what, sizeof out->what, ", %d ground motions", nrecords);
     else if (nrecords == 1 && records[0])
-        add_word(out, ", %.60s %.4g g", thud_path_name(records[0]->file), thud_record_peak(records[0]) / THUD_GRAVITY);
+        thud_append(out->what, sizeof out->what, ", %.60s %.4g g", thud_path_name(records[0]->file),
+                    thud_record_peak(records[0]) / THUD_GRAVITY);
     end_words(args, out);
     return status == THUD_OK ? thud_made_by_check(out, err) : status;
 }
@@ -194,18 +184,19 @@ enum thud_status thud_made_by_study(const struct thud_args *args, const struct t
     for (int i = 0; i < plan->naxes; i++) {
         const struct thud_sweep_axis *axis = &plan->axis[i];
         if (axis->n > 2)
-            add_word(out, ", %s %s to %s, %d values", axis->key, axis->text[0], axis->text[axis->n - 1], axis->n);
+            thud_append(out->what, sizeof out->what, ", %s %s to %s, %d values", axis->key, axis->text[0],
+                        axis->text[axis->n - 1], axis->n);
         else
-            add_word(out, ", %s %s%s%s", axis->key, axis->text[0], axis->n > 1 ? " and " : "",
-                     axis->n > 1 ? axis->text[1] : "");
+            thud_append(out->what, sizeof out->what, ", %s %s%s%s", axis->key, axis->text[0],
+                        axis->n > 1 ? " and " : "", axis->n > 1 ? axis->text[1] : "");
     }
-    add_word(out, ", cases");
+    thud_append(out->what, sizeof out->what, ", cases");
     for (int i = 0; i < plan->ncases; i++)
-        add_word(out, "%s%s", i > 0 ? "," : " ", thud_case_name(plan->cases[i]));
+        thud_append(out->what, sizeof out->what, "%s%s", i > 0 ? "," : " ", thud_case_name(plan->cases[i]));
     if (plan->nrecords > 1)
-        add_word(out, ", %d ground motions", plan->nrecords);
+        thud_append(out->what, sizeof out->what, ", %d ground motions", plan->nrecords);
     else if (plan->nrecords == 1 && plan->record[0])
-        add_word(out, ", %.60s", thud_path_name(plan->record[0]->file));
+        thud_append(out->what, sizeof out->what, ", %.60s", thud_path_name(plan->record[0]->file));
     end_words(args, out);
     return status;
 }

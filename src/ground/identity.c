@@ -27,12 +27,11 @@ void thud_record_peak_text(const struct thud_record *record, char *text, size_t 
 void thud_record_title(const struct thud_record *record, char *text, size_t size)
 {
     const char *part[] = {record->event, record->station, record->component};
-    size_t n = 0;
     text[0] = '\0';
     for (int i = 0; i < 3; i++)
-        if (*part[i] && n < size)
-            n += (size_t)snprintf(text + n, size - n, "%s%s", n ? ", " : "", part[i]);
-    if (n == 0)
+        if (*part[i])
+            thud_append(text, size, "%s%s", *text ? ", " : "", part[i]);
+    if (!*text)
         snprintf(text, size, "%s", thud_path_name(record->file));
 }
 

@@ -271,10 +271,9 @@ void thud_site_method(struct site *site)
         thud_document_paragraph(d, "The equations are solved by the method \"%s\": %s. Sources: %s.", method->title,
                                 method->summary, method->reference);
     char compared[400] = "";
-    size_t used = 0;
     for (int i = SITE_NONE; i < site->ncases; i++)
-        used += (size_t)snprintf(compared + used, sizeof compared - used, "%s%s", i > SITE_NONE ? "; " : "",
-                                 site->ncases > SITE_MEASURE ? site->cases[i].words : "as they stand");
+        thud_append(compared, sizeof compared, "%s%s", i > SITE_NONE ? "; " : "",
+                    site->ncases > SITE_MEASURE ? site->cases[i].words : "as they stand");
     thud_document_paragraph(d,
                             "The cases compared are the buildings too far apart to touch (%s), and at the given gap "
                             "%s. Events (onset, separation, "

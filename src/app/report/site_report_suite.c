@@ -35,11 +35,10 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
     thud_site_plan(site, site->scene, &suite->plan);
     enum thud_status status = suite->leads ? thud_sweep_vary(&suite->plan, scales, err) : THUD_OK;
     char cases[64] = "";
-    size_t used = 0;
     for (int i = SITE_NONE; i < site->ncases; i++) {
         const enum thud_case which = site->cases[i].which;
-        used += (size_t)snprintf(cases + used, sizeof cases - used, "%s%s", i > SITE_NONE ? "," : "",
-                                 thud_case_name(which == THUD_CASE_WHOLE ? THUD_CASE_AS_WRITTEN : which));
+        thud_append(cases, sizeof cases, "%s%s", i > SITE_NONE ? "," : "",
+                    thud_case_name(which == THUD_CASE_WHOLE ? THUD_CASE_AS_WRITTEN : which));
     }
     return status == THUD_OK ? thud_sweep_cases(&suite->plan, cases, err) : status;
 }
@@ -255,16 +254,16 @@ static void gap_verdict(struct site *site, int i)
     thud_interface_gap_text(f, given, sizeof given);
     if (out > 0)
         snprintf(bumper, sizeof bumper, ", %.1f cm with the bumper between them", thud_summary_gap_cm(required + out));
-    size_t n = (size_t)snprintf(
+    snprintf(
         text, sizeof text,
         "%s given; %.1f cm required between bare faces by %s%s. The exact gap is %.1f cm for 50 %% of the motions, ",
         given, thud_summary_gap_cm(required), thud_site_gap_source(site, from, sizeof from), bumper,
         thud_summary_gap_cm(exact.median));
     if (!isnan(exact.p84))
-        n += (size_t)snprintf(text + n, sizeof text - n, "%.1f cm for 84 %%, ", thud_summary_gap_cm(exact.p84));
-    snprintf(text + n, sizeof text - n, "%.1f cm for all; the given gap closes under %d of %d%s",
-             thud_summary_gap_cm(exact.most), used_up(site, i), site->gaps.suite.nrecords,
-             site->scene->nstructures > 2 ? ", when nothing else touches" : "");
+        thud_append(text, sizeof text, "%.1f cm for 84 %%, ", thud_summary_gap_cm(exact.p84));
+    thud_append(text, sizeof text, "%.1f cm for all; the given gap closes under %d of %d%s",
+                thud_summary_gap_cm(exact.most), used_up(site, i), site->gaps.suite.nrecords,
+                site->scene->nstructures > 2 ? ", when nothing else touches" : "");
     thud_site_verdict(site, what, text);
 }
 
@@ -280,10 +279,10 @@ static void pounding_verdict(struct site *site, int k)
     }
     const double most = site->suite.room[worst];
     snprintf(what, sizeof what, "pounding %s", site->cases[SITE_NONE + k].words);
-    size_t n = (size_t)snprintf(text, sizeof text, "under %zu of %zu ground motions", f.above, f.n);
+    snprintf(text, sizeof text, "under %zu of %zu ground motions", f.above, f.n);
     if (most > 0)
-        snprintf(text + n, sizeof text - n, "; at most %s MN, load case %d", thud_site_number(1e-6 * most, 3).text,
-                 worst + 1);
+        thud_append(text, sizeof text, "; at most %s MN, load case %d", thud_site_number(1e-6 * most, 3).text,
+                    worst + 1);
     thud_site_verdict(site, what, text);
 }
 

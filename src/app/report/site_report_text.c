@@ -108,13 +108,12 @@ static double largest_of(const struct site_case *one, int s, int table)
 static void say_yielding(struct site *site, int s)
 {
     char said[400] = "";
-    size_t used = 0;
     for (int i = 0; i < site->ncases; i++) {
         double ductility = largest_of(&site->cases[i], s, FLOOR_DUCTILITY);
         if (isnan(ductility))
             return;
-        used += (size_t)snprintf(said + used, sizeof said - used, "%s%.2f %s (%.1f mm stay)", i ? ", " : "", ductility,
-                                 site->cases[i].words, 1e3 * largest_of(&site->cases[i], s, FLOOR_PERMANENT));
+        thud_append(said, sizeof said, "%s%.2f %s (%.1f mm stay)", i ? ", " : "", ductility, site->cases[i].words,
+                    1e3 * largest_of(&site->cases[i], s, FLOOR_PERMANENT));
     }
     thud_document_item(&site->document, "The largest ductility of the storeys of %s is %s; up to 1 they are elastic.",
                        thud_site_name(site, s), said);
@@ -130,7 +129,6 @@ static void say_columns(struct site *site)
 {
     const struct thud_result *own = site->own->result;
     char said[400] = "", name[THUD_NAME_MAX + 32], limit[96] = "";
-    size_t used = 0;
     int most = 0;
     for (int k = 1; k < own->ncolumns; k++) {
         const struct thud_column_result *r = &own->column[k], *before = &own->column[most];
@@ -142,8 +140,8 @@ static void say_columns(struct site *site)
     if (own->ncolumns == 0)
         return;
     for (int i = SITE_NONE; i < site->ncases; i++)
-        used += (size_t)snprintf(
-            said + used, sizeof said - used, "%s%s MN %s", i > SITE_NONE ? ", " : "",
+        thud_append(
+            said, sizeof said, "%s%s MN %s", i > SITE_NONE ? ", " : "",
             thud_site_number(1e-6 * larger_of(&site->cases[i].result->column[most], THUD_COLUMN_SHEAR_LOWER), 3).text,
             site->cases[i].words);
     if (!isnan(own->column[most].ratio))

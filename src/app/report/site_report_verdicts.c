@@ -99,14 +99,13 @@ static void gap_rows(struct site *site, int i)
         thud_site_verdict(site, what, text);
         return;
     }
-    size_t n =
-        (size_t)snprintf(text, sizeof text, "%.1f cm given; %.1f cm required between bare faces under this motion",
-                         100 * f->gap_m, thud_summary_gap_cm(needed));
+    snprintf(text, sizeof text, "%.1f cm given; %.1f cm required between bare faces under this motion", 100 * f->gap_m,
+             thud_summary_gap_cm(needed));
     if (stands_out > 0)
-        n += (size_t)snprintf(text + n, sizeof text - n, ", %.1f cm with the bumper between them",
-                              thud_summary_gap_cm(needed + stands_out));
-    snprintf(text + n, sizeof text - n, "%s: %s", site->scene->nstructures > 2 ? ", when nothing else touches" : "",
-             gap_verdict(site, i, f->gap_m >= needed, f->gap_m >= needed + stands_out));
+        thud_append(text, sizeof text, ", %.1f cm with the bumper between them",
+                    thud_summary_gap_cm(needed + stands_out));
+    thud_append(text, sizeof text, "%s: %s", site->scene->nstructures > 2 ? ", when nothing else touches" : "",
+                gap_verdict(site, i, f->gap_m >= needed, f->gap_m >= needed + stands_out));
     thud_site_verdict(site, what, text);
 }
 
@@ -146,22 +145,21 @@ static void measure_row(struct site *site, const struct site_case *one)
     thud_site_effect(site, one, false, a);
     thud_site_effect(site, one, true, d);
     const int lower = a[LOWER] + d[LOWER], higher = a[HIGHER] + d[HIGHER];
-    size_t n = (size_t)snprintf(
-        text, sizeof text,
-        "%s%s %s %d of %d floor accelerations and %d of %d storey drifts by more than 2 %%, and %s %d and %d",
-        higher == 0 && lower > 0   ? "favourable: "
-        : lower == 0 && higher > 0 ? "unfavourable: "
-        : lower == 0               ? "none: "
-        : lower > higher           ? "mixed, with more peaks lower than higher: "
-                                   : "mixed, with no more peaks lower than higher: ",
-        plural ? "they" : "it", thud_site_verb(one, "lowers").text, a[LOWER], a[LOWER] + a[SAME] + a[HIGHER], d[LOWER],
-        d[LOWER] + d[SAME] + d[HIGHER], thud_site_verb(one, "raises").text, a[HIGHER], d[HIGHER]);
+    snprintf(text, sizeof text,
+             "%s%s %s %d of %d floor accelerations and %d of %d storey drifts by more than 2 %%, and %s %d and %d",
+             higher == 0 && lower > 0   ? "favourable: "
+             : lower == 0 && higher > 0 ? "unfavourable: "
+             : lower == 0               ? "none: "
+             : lower > higher           ? "mixed, with more peaks lower than higher: "
+                                        : "mixed, with no more peaks lower than higher: ",
+             plural ? "they" : "it", thud_site_verb(one, "lowers").text, a[LOWER], a[LOWER] + a[SAME] + a[HIGHER],
+             d[LOWER], d[LOWER] + d[SAME] + d[HIGHER], thud_site_verb(one, "raises").text, a[HIGHER], d[HIGHER]);
     const struct thud_contact_result *without = thud_site_strongest(site->cases[SITE_NONE].result),
                                      *with = thud_site_strongest(one->result);
     if (without && with)
-        snprintf(text + n, sizeof text - n, "; the peak force changes from %s MN to %s MN",
-                 thud_site_number(1e-6 * without->force.value, 3).text,
-                 thud_site_number(1e-6 * with->force.value, 3).text);
+        thud_append(text, sizeof text, "; the peak force changes from %s MN to %s MN",
+                    thud_site_number(1e-6 * without->force.value, 3).text,
+                    thud_site_number(1e-6 * with->force.value, 3).text);
     thud_site_verdict(site, what, text);
 }
 
@@ -201,12 +199,11 @@ static void governing_rows(struct site *site)
     if (drift > 0) {
         const struct thud_structure_result *b = &r->structure[under[0]];
         const int f = under[1] - (site->scene->structure[under[0]].kind != THUD_ISOLATED); /* its storey, from 0 */
-        int n = snprintf(text, sizeof text, "%s mm, %s %% of the height, storey %d of %s",
-                         thud_site_number(1e3 * b->floor[f].drift.value, 3).text, thud_site_number(100 * drift, 2).text,
-                         under[1], thud_site_name(site, under[0]));
+        snprintf(text, sizeof text, "%s mm, %s %% of the height, storey %d of %s",
+                 thud_site_number(1e3 * b->floor[f].drift.value, 3).text, thud_site_number(100 * drift, 2).text,
+                 under[1], thud_site_name(site, under[0]));
         if (b->storey && b->storey[f].yields)
-            snprintf(text + n, sizeof text - (size_t)n, "; ductility %s",
-                     thud_site_number(b->storey[f].ductility, 3).text);
+            thud_append(text, sizeof text, "; ductility %s", thud_site_number(b->storey[f].ductility, 3).text);
         thud_site_verdict(site, own_words(site, "largest drift", name, sizeof name), text);
     }
 }

@@ -153,8 +153,7 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
 void thud_site_motion(const struct thud_record *record, char *text, size_t size)
 {
     thud_record_title(record, text, size);
-    const size_t n = strlen(text);
-    snprintf(text + n, size - n, "%s", thud_record_synthetic_mark(record));
+    thud_append(text, size, "%s", thud_record_synthetic_mark(record));
 }
 
 const char *thud_site_columns(const struct site *site, const struct thud_column_result *r, char *name, size_t size)

@@ -79,9 +79,9 @@ const char *thud_new_kind(int i)
 /* "shear, isolated, ...", in `text`. */
 static const char *all_kinds(char *text, size_t size)
 {
-    size_t n = 0;
+    *text = '\0';
     for (int i = 0; kinds[i]; i++)
-        n += (size_t)snprintf(text + n, size - n, "%s%s", i ? ", " : "", kinds[i]);
+        thud_append(text, size, "%s%s", i ? ", " : "", kinds[i]);
     return text;
 }
 

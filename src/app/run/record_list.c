@@ -120,7 +120,7 @@ static void refuse(struct refusals *refusals, const char *file, const struct thu
     if (refusals->named + 1 < refusals->n || strlen(name) + strlen(reason) + 8 > sizeof refusals->names - used)
         return;
     refusals->named++;
-    snprintf(refusals->names + used, sizeof refusals->names - used, "%s%s (%s)", used ? ", " : "", name, reason);
+    thud_append(refusals->names, sizeof refusals->names, "%s%s (%s)", used ? ", " : "", name, reason);
 }
 
 /* A single one is reported in its own words. */
@@ -296,11 +296,10 @@ static void name_apart(struct thud_record_list *list, const char *own)
             there = true;
             same = same || strcmp(other->reading, source->reading) == 0;
         }
-    const size_t n = strlen(last->file);
     if (there && !same)
-        snprintf(last->file + n, sizeof last->file - n, "%s", source->reading);
+        thud_append(last->file, sizeof last->file, "%s", source->reading);
     else if (there && *own)
-        snprintf(last->file + n, sizeof last->file - n, ":%s", own);
+        thud_append(last->file, sizeof last->file, ":%s", own);
 }
 
 static enum thud_status add_file(struct reading *r, const struct thud_scene *scene, const char *own,
@@ -467,8 +466,7 @@ static enum thud_status list_unused(const struct thud_session *session, const st
     static const char *const own[] = {"peak", "sa", "factor", "target", "from", "to", "sign"};
     const struct thud_scene *preset = session->preset ? thud_preset_scene(session->preset) : plain;
     char key[32], value[3][160];
-    size_t used = 0;
-    for (size_t i = 0; i < sizeof own / sizeof *own && used < size; i++) {
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
         const struct thud_scene *const of[] = {&session->scene, plain, preset};
         snprintf(key, sizeof key, "record.%s", own[i]);
         for (int k = 0; k < 3; k++)
@@ -476,7 +474,7 @@ static enum thud_status list_unused(const struct thud_session *session, const st
                 value[k][0] = '\0';
         if (strcmp(value[0], value[1]) == 0 || is_given(common, n, own[i]))
             continue;
-        used += (size_t)snprintf(out + used, size - used, "%s%s %s", used ? ", " : "", key, value[0]);
+        thud_append(out, size, "%s%s %s", *out ? ", " : "", key, value[0]);
         if (session->scene.record.file[0] || !is_own)
             continue;
         thud_error_refuse(err, THUD_INPUT, key, "record.file for it, or FILE:peak=0.3g in study.records",

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "base/text.h"
 
 double thud_summary_gap_cm(double gap_m)
 {
@@ -21,7 +22,7 @@ static void add(char *text, size_t size, int columns, const char *part)
 {
     size_t n = strlen(text);
     if ((int)(n + (n ? 3 : 0) + strlen(part)) <= columns)
-        snprintf(text + n, size - n, "%s%s", n ? "   " : "", part);
+        thud_append(text, size, "%s%s", n ? "   " : "", part);
 }
 
 /* "16 impacts, 34.5 MN": three digits. */
@@ -54,9 +55,8 @@ static void bumper_words(const struct thud_summary_line *line, bool brief, char 
     else {
         pounding_words(line->bumper_impacts, line->bumper_force_n, words);
         snprintf(part, size, "%s: %s", line->with, brief ? strchr(words, ',') + 2 : words);
-        const size_t n = strlen(part);
         if (!brief && line->force_n > 0)
-            snprintf(part + n, size - n, " (%s)", thud_change_text(line->bumper_force_n / line->force_n, words));
+            thud_append(part, size, " (%s)", thud_change_text(line->bumper_force_n / line->force_n, words));
     }
 }
 
@@ -79,15 +79,15 @@ const char *thud_summary_bare(double need_m, double bumper_m, char text[24])
 
 void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size)
 {
-    const size_t n = (size_t)needs_words(line, text, size);
     char bare[24];
+    needs_words(line, text, size);
     if (*thud_summary_bare(line->need_m, line->bumper_m, bare))
-        snprintf(text + n, size - n, "%s%s", bare, line->in_row ? ALONE : "");
+        thud_append(text, size, "%s%s", bare, line->in_row ? ALONE : "");
     else if (line->in_row)
-        snprintf(text + n, size - n, ALONE);
+        thud_append(text, size, ALONE);
     else
-        snprintf(text + n, size - n, " (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->abs_m),
-                 thud_summary_gap_cm(line->srss_m));
+        thud_append(text, size, " (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->abs_m),
+                    thud_summary_gap_cm(line->srss_m));
 }
 
 /* The gap that is needed, with as much beside it as leaves `rest` columns. */
@@ -97,8 +97,10 @@ static void add_needs(const struct thud_summary_line *line, int columns, int res
     if (isnan(line->need_m))
         return;
     thud_summary_needs(line, part, sizeof part);
-    if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
-        snprintf(part + needs_words(line, part, sizeof part), sizeof ALONE, "%s", line->in_row ? ALONE : "");
+    if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns) {
+        needs_words(line, part, sizeof part);
+        thud_append(part, sizeof part, "%s", line->in_row ? ALONE : "");
+    }
     add(text, size, columns, part);
 }
 

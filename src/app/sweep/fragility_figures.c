@@ -28,12 +28,12 @@ static void note(const struct thud_fragility_study *study, const char *what, cha
     const struct thud_sweep_plan *plan = study->suite->plan;
     int at[THUD_VARY_MAX];
     middle(plan, at);
-    int n = snprintf(text, size, "%d ground motions.%s%s", study->suite->nrecords, *what ? " " : "", what);
-    for (int a = 0; a < plan->naxes && plan->naxes > 1 && n > 0 && (size_t)n < size; a++)
-        n += snprintf(text + n, size - (size_t)n, "%s%s = %s", a ? ", " : " Where not varied: ", plan->axis[a].key,
-                      plan->axis[a].text[at[a]]);
-    if (plan->naxes > 1 && n > 0 && (size_t)n + 1 < size)
-        snprintf(text + n, size - (size_t)n, ".");
+    snprintf(text, size, "%d ground motions.%s%s", study->suite->nrecords, *what ? " " : "", what);
+    for (int a = 0; a < plan->naxes && plan->naxes > 1; a++)
+        thud_append(text, size, "%s%s = %s", a ? ", " : " Where not varied: ", plan->axis[a].key,
+                    plan->axis[a].text[at[a]]);
+    if (plan->naxes > 1)
+        thud_append(text, size, ".");
 }
 
 /* False: the event has no counts, as one that compares with case `none` has none of that case alone. */

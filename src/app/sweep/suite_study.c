@@ -135,11 +135,12 @@ static void make_shown(const void *of, int i, void *out)
     row->name = thud_path_name(own->record.file);
     for (int k = 0; k < study->nmarks; k++)
         row->sa[k] = sa_at(study, i, k) / THUD_GRAVITY;
-    int n = own->chosen ? 0 : snprintf(row->text, sizeof row->text, "not taken: %.200s", own->why);
+    if (!own->chosen)
+        snprintf(row->text, sizeof row->text, "not taken: %.200s", own->why);
     const struct thud_record *r = &own->record;
     if (r->event[0] || r->station[0])
-        snprintf(row->text + n, sizeof row->text - (size_t)n, "\n%*s%.60s%s%.60s %.40s", 4, "", r->event,
-                 r->station[0] ? ", " : "", r->station, r->component);
+        thud_append(row->text, sizeof row->text, "\n%*s%.60s%s%.60s %.40s", 4, "", r->event, r->station[0] ? ", " : "",
+                    r->station, r->component);
 }
 
 void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_text *out)

@@ -173,13 +173,12 @@ static enum thud_status take_units(struct reader *r, bool row, struct thud_error
             snprintf(c->unit, sizeof c->unit, "%.23s", csv_lines_field(&r->lines, j));
         for (size_t k = 0; k < sizeof known / sizeof *known && !(c->factor > 0); k++) {
             const enum thud_dimension of = known[k].dimension;
-            const size_t a = strlen(kinds), b = strlen(units);
             if (strcmp(known[k].name, is->name) != 0 || known[k].directed != is->directed)
                 continue;
             c->is = &known[k];
             c->factor = building_unit(c->unit, of);
-            snprintf(kinds + a, sizeof kinds - a, "%s%s", a ? " or " : "", thud_dimension_name(of));
-            snprintf(units + b, sizeof units - b, "%s%s", b ? ", " : "", thud_dimension_units(of));
+            thud_append(kinds, sizeof kinds, "%s%s", *kinds ? " or " : "", thud_dimension_name(of));
+            thud_append(units, sizeof units, "%s%s", *units ? ", " : "", thud_dimension_units(of));
         }
         if (!(c->factor > 0) && r->optional && !is->name[1]) { /* floors called F1, F2 */
             r->head_line = -1;
@@ -211,9 +210,8 @@ static void label_row(struct reader *r)
     r->label[0] = '\0';
     for (size_t j = 0; j < r->lines.fields; j++) {
         const char *text = csv_lines_field(&r->lines, j);
-        const size_t n = strlen(r->label);
         if (r->column[j].is && r->column[j].is->role == CASE && *text)
-            snprintf(r->label + n, NAME - n, "%s%.40s", n ? " " : "", text);
+            thud_append(r->label, NAME, "%s%.40s", *r->label ? " " : "", text);
     }
 }
 
@@ -344,8 +342,8 @@ static enum thud_status choose_case(struct reader *r, struct thud_error *err)
     char all[sizeof err->allowed] = "";
     int n = 0;
     for (const char *at = r->labels.data; at && *at; at += strcspn(at, "\n") + 1) {
-        const size_t length = strcspn(at, "\n"), a = strlen(all);
-        snprintf(all + a, sizeof all - a, "%s%.*s", a ? ", " : "", (int)length, at);
+        const size_t length = strcspn(at, "\n");
+        thud_append(all, sizeof all, "%s%.*s", *all ? ", " : "", (int)length, at);
         if (is_asked(r, at) && n++ == 0)
             snprintf(r->chosen, NAME, "%.*s", (int)length, at);
     }

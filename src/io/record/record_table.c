@@ -407,8 +407,7 @@ static enum thud_status resample(const struct record_table *table, int time, dou
     raw->value = even.value;
     raw->count = even.count;
     raw->dt_s = dt;
-    size_t n = strlen(raw->note);
-    snprintf(raw->note + n, sizeof raw->note - n, "%s%zu samples in unequal steps", n ? ", " : "", table->rows);
+    thud_append(raw->note, sizeof raw->note, "%s%zu samples in unequal steps", *raw->note ? ", " : "", table->rows);
     return THUD_OK;
 }
 

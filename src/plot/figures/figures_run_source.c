@@ -139,15 +139,15 @@ void thud_source_title(const struct thud_figure_source *source, int nsources, co
     const struct thud_scene *scene = source->scene;
     const char *file = thud_path_name(scene->record.file), *dot = strrchr(file, '.');
     int length = dot && dot > file && strlen(dot) <= 5 ? (int)(dot - file) : (int)strlen(file);
-    int n = snprintf(text, size, "%s: %s", scene->title, what);
-    if (*file && n > 0 && (size_t)n < size)
-        n += snprintf(text + n, size - (size_t)n, "; %.*s", length, file);
-    if (*file && isfinite(scene->record.peak_mps2) && n > 0 && (size_t)n < size)
-        n += snprintf(text + n, size - (size_t)n, " scaled to %.3g g", scene->record.peak_mps2 / THUD_GRAVITY);
-    if (nsources == 1 && *source->name && n > 0 && (size_t)n < size)
-        n += snprintf(text + n, size - (size_t)n, ", %s", source->name);
-    if (scene->nstructures == 2 && n > 0 && (size_t)n < size)
-        snprintf(text + n, size - (size_t)n, ", gap %.4g cm", 100 * scene->interface[0].gap_m);
+    snprintf(text, size, "%s: %s", scene->title, what);
+    if (*file)
+        thud_append(text, size, "; %.*s", length, file);
+    if (*file && isfinite(scene->record.peak_mps2))
+        thud_append(text, size, " scaled to %.3g g", scene->record.peak_mps2 / THUD_GRAVITY);
+    if (nsources == 1 && *source->name)
+        thud_append(text, size, ", %s", source->name);
+    if (scene->nstructures == 2)
+        thud_append(text, size, ", gap %.4g cm", 100 * scene->interface[0].gap_m);
 }
 
 static void ground_strip(struct thud_panel *panel, const struct thud_figure_source *source)

@@ -71,11 +71,10 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
     int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
     bool free = which == THUD_CASE_NONE;
     char text[768], head[160], amplified[THUD_SWEEP_TITLE], ratio[80];
-    int n = snprintf(text, sizeof text, "%s: %s, means over the floors", thud_sweep_record_name(table, record, head),
-                     thud_sweep_amplification(table, which, amplified));
-    for (int a = 2; a < table->naxes && n > 0 && (size_t)n < sizeof text; a++)
-        n += snprintf(text + n, sizeof text - (size_t)n, ", %s %s", table->axis[a].key,
-                      table->axis[a].text[at ? at[a] : 0]);
+    snprintf(text, sizeof text, "%s: %s, means over the floors", thud_sweep_record_name(table, record, head),
+             thud_sweep_amplification(table, which, amplified));
+    for (int a = 2; a < table->naxes; a++)
+        thud_append(text, sizeof text, ", %s %s", table->axis[a].key, table->axis[a].text[at ? at[a] : 0]);
     struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         for (int q = 0; q < THUD_TOLD_RATIOS; q++) {

@@ -137,14 +137,12 @@ enum thud_status thud_levels_set(struct thud_by_level *levels, const struct thud
 
 void thud_levels_get(const struct thud_by_level *levels, const char *unit, char *text, size_t size)
 {
-    size_t used = 0;
     text[0] = '\0';
-    for (int l = 0; l < levels->n && used < size; l++) {
+    for (int l = 0; l < levels->n; l++) {
         char item[96] = THUD_FLOOR_NONE;
         if (!isnan(levels->value_m[l]))
             thud_quantity_format(levels->value_m[l], unit, item, sizeof item);
-        used +=
-            (size_t)snprintf(text + used, size - used, "%s%s%s", l ? ", " : "[", item, l == levels->n - 1 ? "]" : "");
+        thud_append(text, size, "%s%s%s", l ? ", " : "[", item, l == levels->n - 1 ? "]" : "");
     }
 }
 
@@ -157,12 +155,11 @@ static enum thud_status refuse(int interface, const char *key, struct thud_error
 /* "1-1, 2-2, 3-c4" */
 static void add_pairs(const struct thud_contact_pair *pair, int n, char *text, size_t size)
 {
-    size_t used = 0;
     text[0] = '\0';
-    for (int i = 0; i < n && used < size; i++) {
+    for (int i = 0; i < n; i++) {
         char name[24];
         thud_contact_pair_name(pair[i].left_floor, pair[i].right_floor, pair[i].struck, name, sizeof name);
-        used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : "", name);
+        thud_append(text, size, "%s%s", i ? ", " : "", name);
     }
 }
 
@@ -172,7 +169,9 @@ void thud_interface_clearance_text(const struct thud_scene *scene, int interface
     struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
     const bool by_level = at->gap.n > 0 || (at->has_bumper && at->thickness.n > 0);
     const int n = by_level ? thud_interface_contact_pairs(scene, interface, pair) : 0;
-    size_t used = (size_t)snprintf(text, size, "%.4g cm", 100 * thud_interface_clearance(at));
+    *text = '\0';
+    if (n == 0)
+        snprintf(text, size, "%.4g cm", 100 * thud_interface_clearance(at));
     for (int l = 0, next; l < n; l = next) {
         const struct thud_level_values here = thud_interface_level(at, l);
         const double clearance = thud_level_clearance(&here);
@@ -185,9 +184,8 @@ void thud_interface_clearance_text(const struct thud_scene *scene, int interface
         thud_contact_pair_name(pair[l].left_floor, pair[l].right_floor, pair[l].struck, first, sizeof first);
         thud_contact_pair_name(pair[next - 1].left_floor, pair[next - 1].right_floor, pair[next - 1].struck, last,
                                sizeof last);
-        used = l == 0 ? 0 : used < size ? used : size;
-        used += (size_t)snprintf(text + used, size - used, "%s%.4g cm at %s%s%s", l > 0 ? ", " : "", 100 * clearance,
-                                 first, next - l > 1 ? " to " : "", next - l > 1 ? last : "");
+        thud_append(text, size, "%s%.4g cm at %s%s%s", l > 0 ? ", " : "", 100 * clearance, first,
+                    next - l > 1 ? " to " : "", next - l > 1 ? last : "");
     }
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/scan.h"
+#include "base/text.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 
@@ -224,10 +225,9 @@ enum thud_status thud_scene_edit(struct thud_scene *scene, const char *words, ch
     char forms[300] = "";
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         const char *at = words;
-        const size_t used = strlen(forms);
         int number = *table[i].numbers == '[', floor = 0;
         if (!thud_scan_word(&at, table[i].words)) {
-            snprintf(forms + used, sizeof forms - used, "%s%s %s", used ? ", " : "", table[i].words, table[i].numbers);
+            thud_append(forms, sizeof forms, "%s%s %s", i ? ", " : "", table[i].words, table[i].numbers);
             continue;
         }
         return read_numbers(at, table[i].numbers, &number, &floor) && table[i].edit(scene, number, floor, what, size)

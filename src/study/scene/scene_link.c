@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/scan.h"
+#include "base/text.h"
 #include "study/scene/level.h"
 #include "study/scene/scene_slot.h"
 #include "study/scene/scene_words.h"
@@ -83,9 +84,8 @@ enum thud_status thud_link_law_set(struct thud_scene *scene, const struct thud_s
 static enum thud_status no_structure(const struct thud_scene *scene, const char *end, struct thud_error *err)
 {
     char names[160] = "";
-    size_t n = 0;
-    for (int s = 0; s < scene->nstructures && n < sizeof names; s++)
-        n += (size_t)snprintf(names + n, sizeof names - n, "%s%.20s", s ? ", " : "", scene->structure[s].name);
+    for (int s = 0; s < scene->nstructures; s++)
+        thud_append(names, sizeof names, "%s%.20s", s ? ", " : "", scene->structure[s].name);
     thud_error_set(err, THUD_INPUT, "there is no structure \"%.*s\"", 60, end);
     thud_error_allow(err, "%s, and the floor: %.20s.1", names, scene->structure[0].name);
     return THUD_INPUT;

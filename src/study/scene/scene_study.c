@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "study/scene/scene_slot.h"
 #include "study/scene/scene_words.h"
 
@@ -246,18 +247,13 @@ void thud_study_get(const struct thud_scene *scene, const struct thud_slot *slot
     bool list = n > 1 || strcmp(name, "cases") == 0, values = strcmp(name, "values") == 0;
     bool of_range = strcmp(name, "from") == 0 || strcmp(name, "to") == 0 || strcmp(name, "step") == 0,
          has_values = n > 0 && scene->study.vary[0].values[0];
-    size_t used = 0;
     text[0] = '\0';
     if (has_values ? of_range : values)
         return; /* they have the one or the other */
-    for (int i = 0; i < n && used < size; i++) {
+    for (int i = 0; i < n; i++) {
         char item[THUD_VARY_VALUES + 8] = "";
         get_item(scene, name, i, item, sizeof item);
-        used += (size_t)snprintf(text + used, size - used, "%s%s%s",
-                                 i      ? ", "
-                                 : list ? "["
-                                        : "",
-                                 item, list && i == n - 1 ? "]" : "");
+        thud_append(text, size, "%s%s%s", i ? ", " : list ? "[" : "", item, list && i == n - 1 ? "]" : "");
     }
 }
 

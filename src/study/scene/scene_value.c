@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/utf8.h"
 #include "core/methods/method.h"
 #include "study/scene/building.h"
@@ -316,14 +317,14 @@ static void get_floors(const struct thud_slot *slot, const double *value, int n,
             thud_quantity_format(value[0], unit, text, size);
         return;
     }
-    size_t used = 0;
-    for (int i = 0; i < n && used < size; i++) {
+    *text = '\0';
+    for (int i = 0; i < n; i++) {
         char item[96];
         if (lacks && value[i] == 0)
             snprintf(item, sizeof item, "%s", THUD_FLOOR_NONE);
         else
             thud_quantity_format(value[i], unit, item, sizeof item);
-        used += (size_t)snprintf(text + used, size - used, "%s%s%s", i ? ", " : "[", item, i == n - 1 ? "]" : "");
+        thud_append(text, size, "%s%s%s", i ? ", " : "[", item, i == n - 1 ? "]" : "");
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/nearest.h"
+#include "base/text.h"
 #include "study/scene/scene_slot.h"
 
 void thud_words_add(struct thud_words *words, const char *word)
@@ -19,9 +20,8 @@ enum thud_status thud_words_unknown(const struct thud_words *words, const char *
     /* a word of one or two letters is near to everything */
     const char *nearest = strlen(word) > 2 ? thud_nearest(word, words->known, words->count) : NULL;
     char list[sizeof(struct thud_error){0}.allowed] = "";
-    size_t n = 0;
-    for (int i = 0; i < words->count && n < sizeof list; i++)
-        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i ? ", " : "", words->known[i]);
+    for (int i = 0; i < words->count; i++)
+        thud_append(list, sizeof list, "%s%s", i ? ", " : "", words->known[i]);
     if (nearest)
         thud_error_set(err, THUD_INPUT, "unknown %s \"%.80s\"; did you mean \"%s\"?", what, word, nearest);
     else

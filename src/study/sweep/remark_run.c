@@ -381,11 +381,11 @@ enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const stru
 static void where_text(const struct thud_sweep_plan *plan, long point, enum thud_case which, char *text, size_t size)
 {
     int at[THUD_VARY_MAX], record = thud_sweep_place(plan, point, at);
-    int n = snprintf(text, size, "case %s", thud_case_name(which));
-    for (int a = 0; a < plan->naxes && n > 0 && (size_t)n < size; a++)
-        n += snprintf(text + n, size - (size_t)n, ", %s %s", plan->axis[a].key, plan->axis[a].text[at[a]]);
-    if (plan->nrecords > 1 && n > 0 && (size_t)n < size)
-        snprintf(text + n, size - (size_t)n, ", %.100s", plan->record[record]->file);
+    snprintf(text, size, "case %s", thud_case_name(which));
+    for (int a = 0; a < plan->naxes; a++)
+        thud_append(text, size, ", %s %s", plan->axis[a].key, plan->axis[a].text[at[a]]);
+    if (plan->nrecords > 1)
+        thud_append(text, size, ", %.100s", plan->record[record]->file);
 }
 
 void thud_remark_collapses(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)

@@ -425,13 +425,11 @@ int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at)
 const char *thud_sweep_setting(const struct thud_sweep_plan *plan, int n, const int *at, int but, bool keys, char *text,
                                size_t size)
 {
-    size_t used = 0;
     snprintf(text, size, "%s", n > 0 ? "" : "nominal");
-    for (int a = 0; a < n && used < size; a++)
+    for (int a = 0; a < n; a++)
         if (a != but)
-            used += (size_t)snprintf(text + used, size - used, "%s%s%s%s", used > 0 ? ", " : "",
-                                     keys ? plan->axis[a].key : "", keys ? " " : "",
-                                     at[a] < 0 ? "-" : plan->axis[a].text[at[a]]);
+            thud_append(text, size, "%s%s%s%s", *text ? ", " : "", keys ? plan->axis[a].key : "", keys ? " " : "",
+                        at[a] < 0 ? "-" : plan->axis[a].text[at[a]]);
     return text;
 }
 
