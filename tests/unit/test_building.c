@@ -412,6 +412,7 @@ static const struct {
     {"a (kN/m),b\n4,-2\n-2,2\n", 0, 3, "", 0, 2, 0, "2 rows and columns, and the building has 3 floors", "every floor"},
     {"a (kN/m),b\n2,-2\n-2,4\n", 0, 0, "", 0, 2, 0, "from the roof down", "roof-first"},
     {"a (kN/m),b\n4,x\n-2,4\n", 0, 0, "", 0, 2, 3, "\"x\" is not a number", "after the labels"},
+    {"a (kN/m),b\n4,\xd0\xb2\n-2,4\n", 0, 0, "", 0, 2, 3, "\"\xd0\xb2\" is not a number", "after the labels"},
     {"a (kN/m),b\n", 0, 0, "", 0, 0, 0, "no row of numbers", ""},
     {"Mode,Period (s),a,b\n1,0.5,1\n", 2, 0, "", 0, 2, 0, "3 values in this row, 4 names", "under every name"},
     {"Mode,Period (s),a,b\n1,0.5,0.5,1\n", 2, 3, "", 0, 2, 0, "2 shape values in a row, and the building has 3",

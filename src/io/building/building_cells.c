@@ -320,8 +320,9 @@ enum thud_status building_cells_open(const char *path, struct building_cells *ou
     enum thud_status status = thud_text_read(path, BYTES_MAX, &out->text, err);
     if (status != THUD_OK)
         return status;
-    for (char *c = out->text; (c = strchr(c, '\xb2')) != NULL; c++) /* lb-s2/ft, raised, of a sheet that is no UTF-8 */
-        if (c == out->text || c[-1] != '\xc2')
+    /* lb-s2/ft, raised, of a sheet that is no UTF-8, in which no such byte follows ASCII */
+    for (char *c = out->text; (c = strchr(c, '\xb2')) != NULL; c++)
+        if (c == out->text || (c[-1] & 0x80) == 0)
             *c = '2';
     if (thud_ascii_begins(out->text, strlen(out->text), "TABLE:")) /* a title, whose quotes are no CSV */
         out->text[0] = '#';
