@@ -252,23 +252,16 @@ static enum thud_status build(const struct record_source *source, const struct r
     return status;
 }
 
-/* Without its byte-order mark. */
-static struct record_source source_of(const char *text, size_t size, const char *name, int skip)
-{
-    struct record_source source = {.name = name, .text = text, .size = size, .skip = skip};
-    if (begins_with(&source, "\xef\xbb\xbf", 3)) {
-        source.text += 3;
-        source.size -= 3;
-    }
-    return source;
-}
-
 enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
                                    const struct thud_record_choice *choice, struct thud_record **out,
                                    struct thud_error *err)
 {
     *out = NULL;
-    const struct record_source source = source_of(text, size, name, choice->skip);
+    struct record_source source = {.name = name, .text = text, .size = size, .skip = choice->skip};
+    if (begins_with(&source, "\xef\xbb\xbf", 3)) { /* a byte-order mark */
+        source.text += 3;
+        source.size -= 3;
+    }
     enum thud_status status = refuse_kind(&source, err);
     if (status)
         return status;

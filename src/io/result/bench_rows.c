@@ -134,7 +134,7 @@ static const struct thud_column verdict_columns[] = {
     CELL(verdict[THUD_STABILITY_SCENE], "scene", "Verdict on the preset's scene."),
     CELL(own.growth[THUD_STABILITY_SCENE], "scene_growth",
          "Largest displacement over the exact one, for the worst floor and step (of three, up to 6 % shorter); "
-         " growing from 2, blown up from 100.")};
+         "growing from 2, blown up from 100.")};
 const struct thud_schema thud_verdict_schema =
     THUD_SCHEMA("verdicts.csv", "Written by\n.Cm stability Fl o :\na row for each method and step.\n", verdict_columns);
 

@@ -100,11 +100,6 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     return status;
 }
 
-static void number(struct thud_text *out, double value)
-{
-    thud_text_number(out, value);
-}
-
 /* "NAME = [a, b, ...]", broken into lines. */
 static void list(struct thud_text *out, const char *name, const double *value, size_t n)
 {
@@ -112,7 +107,7 @@ static void list(struct thud_text *out, const char *name, const double *value, s
     thud_text_append(out, "%s = [", name);
     for (size_t i = 0; i < n; i++) {
         thud_text_append(out, "%s", i == 0 ? "" : i % TO_A_LINE ? ", " : ",\n    ");
-        number(out, value[i]);
+        thud_text_number(out, value[i]);
     }
     thud_text_append(out, "]\n");
 }
@@ -139,15 +134,15 @@ static void head(struct thud_text *out, const struct thud_scene *scene, const st
         THUD_OPENSEES_DIFFERS, THUD_OPENSEES_DIVERGED, THUD_OPENSEES_MISSING);
     thud_json_string(out, scene->title[0] ? scene->title : scene->name);
     thud_text_append(out, "\nEND = ");
-    number(out, result->end_s);
+    thud_text_number(out, result->end_s);
     thud_text_append(out, "  # s\nSTEP = float(sys.argv[1]) if len(sys.argv) > 1 else ");
-    number(out, part / ceil(part / step_s));
+    thud_text_number(out, part / ceil(part / step_s));
     thud_text_append(out, "  # s\n");
     if (record) {
         thud_text_append(out, "\n# ground acceleration, m/s2, every DT seconds: ");
         thud_json_string(out, record->file);
         thud_text_append(out, "\nDT = ");
-        number(out, record->dt_s);
+        thud_text_number(out, record->dt_s);
         thud_text_append(out, "\n");
         list(out, "GROUND", record->a_mps2, record->samples);
     }
@@ -167,7 +162,7 @@ static void element(struct thud_text *out, const char *material, int tag, const 
     thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d", material, tag);
     for (int i = 0; i < n; i++) {
         thud_text_append(out, ", ");
-        number(out, value[i]);
+        thud_text_number(out, value[i]);
     }
     thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", tag, from, to,
                      tag);
@@ -355,7 +350,7 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
             const int at = m->first + i + 1, below = i == 0 ? GROUND + s + 1 : at - 1,
                       yielding = i < m->n ? thud_model_yielding(model, m->first + i) : -1;
             thud_text_append(out, "ops.node(%d, 0.0)\nops.mass(%d, ", at, at);
-            number(out, model->mass_kg[m->first + i]);
+            thud_text_number(out, model->mass_kg[m->first + i]);
             thud_text_append(out, ")\n");
             if (m->rise)
                 continue;
@@ -404,7 +399,7 @@ static void damping(struct thud_text *out, const struct thud_scene *scene, const
             for (int j = 0; j < model->structure[s].dofs; j++)
                 if (model->structure[s].omega[j] == next) {
                     thud_text_append(out, "%s", done++ > 0 ? ", " : "");
-                    number(out, next > 0 ? modal_damping(&scene->structure[s]) : 0);
+                    thud_text_number(out, next > 0 ? modal_damping(&scene->structure[s]) : 0);
                 }
         above = next;
     }
@@ -511,7 +506,7 @@ static void peak(struct thud_text *out, const char *name, const char *quantity, 
     thud_text_append(out, "    (");
     thud_json_string(out, name);
     thud_text_append(out, ", \"%s\", %d, ", quantity, place);
-    number(out, value);
+    thud_text_number(out, value);
     thud_text_append(out, "),\n");
 }
 
@@ -604,7 +599,7 @@ static void rotation_load(struct thud_text *out, const struct thud_model *model,
     const int dof = model->structure[s].first + model->structure[s].n + 1;
     thud_text_append(out, "ops.pattern(\"Plain\", %d, 1)  # the ground does not push a rotation\nops.load(%d, ", s + 2,
                      dof + 1);
-    number(out, model->mass_kg[dof]);
+    thud_text_number(out, model->mass_kg[dof]);
     thud_text_append(out, ")\n");
 }
 
@@ -620,7 +615,7 @@ void thud_opensees_script(const struct thud_scene *scene, const struct thud_mode
     contacts(out, model);
     links(out, scene, model);
     thud_text_append(out, "\nFLOORS = list(range(1, %d))\nWEIGHT = ", model->ndof + 1);
-    number(out, weight_n);
+    thud_text_number(out, weight_n);
     thud_text_append(out, "\n%s",
                      record ? "ops.timeSeries(\"Path\", 1, \"-dt\", DT, \"-values\", *GROUND, \"-factor\", 1.0)\n"
                               "ops.pattern(\"UniformExcitation\", 1, 1, \"-accel\", 1)\n"
@@ -632,7 +627,7 @@ void thud_opensees_script(const struct thud_scene *scene, const struct thud_mode
     for (int s = 0; s < scene->nstructures; s++)
         if (scene->structure[s].kind == THUD_RIGID && scene->structure[s].velocity_mps != 0) {
             thud_text_append(out, "ops.setNodeVel(%d, 1, ", model->structure[s].first + 1);
-            number(out, scene->structure[s].velocity_mps);
+            thud_text_number(out, scene->structure[s].velocity_mps);
             thud_text_append(out, ", \"-commit\")\n");
         }
     expected(out, scene, model, result);
