@@ -26,8 +26,8 @@ bool thud_file_is_same(const char *a, const char *b);
  * Errors: THUD_OUTPUT. */
 enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err);
 
-/* Draft of a file: written, but invisible under its name before thud_file_keep. So a group of files appears whole or not
- * at all, except for failures of rename(2). {0}: nothing is in the making. */
+/* Draft of a file: written, but invisible under its name before thud_file_keep. So a group of files appears whole or
+ * not at all, except for failures of rename(2). {0}: nothing is in the making. */
 struct thud_file_draft {
     bool is_open, is_synced;
     int fd;
