@@ -236,8 +236,8 @@ static void see_nodes(struct view *v)
         third += v->seg->notes->thirds[structure[i]];
     v->low = v->high = motion[0];
     for (int i = 1; i < nodes->count; i++) {
-        v->low = thud_vec2_choose((thud_vec2_bits)(motion[i] < v->low), motion[i], v->low);
-        v->high = thud_vec2_choose((thud_vec2_bits)(motion[i] > v->high), motion[i], v->high);
+        v->low = thud_vec2_smaller(motion[i], v->low);
+        v->high = thud_vec2_larger(motion[i], v->high);
     }
     const double rate = nodes->widest * nodes->widest / 8 * third / h,
                  way = 0.5 * nodes->widest * h * (thud_larger(-v->low[1], v->high[1]) + rate);

@@ -108,7 +108,7 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
     thud_vec2 most = {x->largest_n[c], thud_contact_least_force(state, c)};
     for (int i = 0; i < x->by->n; i += 2) {
         const thud_vec2 size = thud_vec2_abs(thud_vec2_some(x->force + a * x->by->n + i, i + 1 == x->by->n));
-        most = thud_vec2_choose((thud_vec2_bits)(size > most), size, most);
+        most = thud_vec2_larger(size, most);
     }
     const struct thud_contact_state *contact = thud_row_contact(state, c);
     if (contact && contact->phase == THUD_APPROACH)

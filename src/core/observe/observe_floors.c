@@ -6,169 +6,222 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/largest.h"
 #include "base/quantity.h"
 #include "core/numerics/poly.h"
-#include "core/numerics/vec.h"
 
-enum { BATCH = THUD_FLOOR_LANES, TERMS = THUD_FLOOR_TERMS, PAIRS = BATCH / 2 };
+enum { PAIRS = THUD_FLOOR_PAIRS, BATCH = 2 * PAIRS, TERMS = THUD_FLOOR_TERMS };
 
-static const double accuracy = 1e-6; /* of a floor's largest acceleration, in every pseudo-acceleration */
-/* Angle that an oscillator turns by in a piece at most: so that series converge at once and a bound says where it turns
- * back. */
-static const double piece_most_rad = 1.6;
+static const double accuracy = 2e-7; /* of a floor's largest acceleration, in every pseudo-acceleration */
+/* Angle that an oscillator turns by in a piece at most: so that series converge at once. */
+static const double piece_most_rad = 3.2;
 
-/* ---- the floor's acceleration ---- */
-
-/* Leaves out the highest terms while the acceleration changes by less than `allowed`: of degree m, a polynomial is
- * nearest to one of degree m - 1 by a Chebyshev polynomial, whose size is 2^(1 - 2 m) of its highest factor. */
-static void shorten(const struct thud_floor_oscillators *p, struct thud_floor_load *load, double allowed)
+static inline struct thud_complex2 times(struct thud_complex2 x, struct thud_complex2 y)
 {
-    double *b = load->b;
-    while (load->terms > 1) {
-        int m = load->terms - 1;
-        double change = p->size[m] * fabs(b[m]);
-        if (change > allowed)
-            break;
-        allowed -= change;
-        for (int k = 0; k < m; k++)
-            b[k] -= b[m] * p->monic[m][k];
-        load->terms = m;
-    }
-    load->most = fabs(b[0]);
-    load->slope = 0;
-    for (int k = 1; k < load->terms; k++) {
-        load->most += fabs(b[k]);
-        load->slope += k * fabs(b[k]);
+    return (struct thud_complex2){x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re};
+}
+
+static inline struct thud_complex2 over(struct thud_complex2 x, struct thud_complex2 y)
+{
+    const thud_vec2 square = y.re * y.re + y.im * y.im;
+    return (struct thud_complex2){(x.re * y.re + x.im * y.im) / square, (x.im * y.re - x.re * y.im) / square};
+}
+
+static inline thud_vec2 size_of(struct thud_complex2 x)
+{
+    const thud_vec2 square = x.re * x.re + x.im * x.im;
+    return thud_vec2_set(sqrt(square[0]), sqrt(square[1]));
+}
+
+/* ---- the floors' acceleration ---- */
+
+/* Leaves out the highest terms in use while together they stay within what may still be left out: each changes the result
+ * by at most its coefficient times its size. */
+static inline void shorten(struct thud_floor_load *load, const double *size)
+{
+    for (; load->used > 1; load->used--) {
+        const double change = size[load->used - 1] * fabs(load->c[load->used - 1]);
+        if (change > load->left_out)
+            return;
+        load->left_out -= change;
     }
 }
 
-/* Of floor f over the first s of the segment. */
-static void read_floor(struct thud_floor_oscillators *p, const struct thud_observation *o, int f)
+/* Fills the basis for a part of a segment: powers of s by Legendre's polynomials of the part, by their recurrence. */
+static void make_basis(struct thud_floor_oscillators *p, double h_s, double from, double to)
+{
+    const double part[] = {h_s, from, to}, half = 0.5 * (to - from), middle = from + half;
+    double row[TERMS][TERMS + 1] = {{1}}; /* of s^k */
+    if (memcmp(p->part, part, sizeof part) == 0)
+        return;
+    memcpy(p->part, part, sizeof part);
+    for (int k = 0; k < TERMS; k++)
+        for (int j = 0; j <= k; j++) {
+            if (k > 0)
+                row[k][j] = middle * row[k - 1][j] + half * ((j > 0 ? j * row[k - 1][j - 1] / (2 * j - 1) : 0) +
+                                                             (j + 1) * row[k - 1][j + 1] / (2 * j + 3));
+            p->basis[j][k - j] = (k + 1) * (k + 2) / (h_s * h_s) * row[k][j];
+        }
+}
+
+/* Reads a floor's acceleration from its modes'. */
+static void read_floor(struct thud_floor_oscillators *p, const struct thud_model *m, int floor, int terms)
+{
+    const int dof = p->dof[floor];
+    const struct thud_model_structure *s = &m->structure[m->dof_structure[dof]];
+    struct thud_floor_load *load = &p->load[floor];
+    *load = (struct thud_floor_load){.used = terms};
+    thud_dots(s->modes, s->phi + (dof - s->first) * s->modes, p->modal + s->first_mode, m->nmodes, terms, load->c);
+    p->largest[floor] = thud_larger(p->largest[floor], fabs(load->c[0]));
+    load->left_out = p->left_out * p->largest[floor];
+    shorten(load, p->ones);
+    load->terms = load->used;
+    for (int k = 0, sign = 1; k < load->terms; k++, sign = -sign) {
+        const double slope = k * (k + 1), size = fabs(load->c[k]); /* slope: of P_k at the end */
+        load->start += sign * load->c[k];
+        load->slope -= sign * slope * load->c[k];
+        load->most += size;
+        load->curve += 0.5 * slope * (slope - 2) * size;
+    }
+}
+
+/* Reads the accelerations over a part of the segment; returns the number of terms. */
+static int read_floors(struct thud_floor_oscillators *p, const struct thud_observation *o, double from, double to)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
-    struct thud_floor_load *load = &p->load[f];
-    double power = 1;
-    load->terms = seg->terms > 4 ? seg->terms - 2 : 2;
-    for (int k = 0; k < load->terms; k++) {
-        double a = 0;
-        if (k + 2 < seg->terms)
-            a = (k + 1) * (k + 2) * thud_model_floor(m, p->dof[f], seg->q + (k + 2) * m->nmodes) /
-                (seg->h_s * seg->h_s);
-        if (k < 2)
-            a += p->influence[f] * (k == 0 ? seg->a0 : seg->a1);
-        load->b[k] = a * power;
-        power *= o->s;
+    const int n = m->nmodes, terms = seg->terms - 2;
+    assert(terms >= 2 && terms <= TERMS);
+    make_basis(p, seg->h_s, from, to);
+    memset(p->modal, 0, (size_t)(terms * n) * sizeof *p->modal);
+    for (int j = 0; j < terms; j++)
+        thud_add_rows(n, terms - j, 1, p->basis[j], seg->q + (j + 2) * n, p->modal + j * n);
+    for (int i = 0; i < n; i++) {
+        p->modal[i] += m->gamma[i] * (seg->a0 + 0.5 * (from + to) * seg->a1);
+        p->modal[n + i] += m->gamma[i] * 0.5 * (to - from) * seg->a1;
     }
-    p->largest[f] = fmax(p->largest[f], fabs(load->b[0]));
-    shorten(p, load, 0.5 * p->left_out * p->largest[f]);
-}
-
-/* The part of it between j/parts and (j + 1)/parts. */
-static void make_part(struct thud_floor_oscillators *p, int f, int j, int parts)
-{
-    struct thud_floor_load *part = &p->part[f];
-    double power = 1, at = (double)j / parts;
-    *part = p->load[f];
-    for (int i = 0; i + 1 < part->terms; i++) /* Taylor coefficients at j/parts, by repeated division */
-        for (int k = part->terms - 2; k >= i; k--)
-            part->b[k] += at * part->b[k + 1];
-    for (int k = 0; k < part->terms; k++) {
-        part->b[k] *= power;
-        power /= parts;
-    }
-    shorten(p, part, 0.5 * p->left_out * p->largest[f]);
+    for (int f = 0; f < p->nfloors; f++)
+        read_floor(p, m, f, terms);
+    return terms;
 }
 
 /* ---- the oscillators ---- */
 
-/* Fills what a piece of this length needs for loads of so many terms. */
+/* Fills what a piece of this length needs for loads of so many terms. By parts, with 2 (2 k + 1) P_k the slope of
+ * P_(k+1) - P_(k-1), which is 0 at both ends,
+ *
+ *     r_k = L_k/L_(k-1) = mu/(mu r_(k+1) - 2 (2 k + 1)),   L_0 = 2/(2 - mu (1 + r_1)),   e^mu = 1 + mu L_0. */
 static void make_table(const struct thud_floor_oscillators *p, struct thud_floor_block *t, double piece_s, int terms)
 {
-    enum { BEYOND = 16 }; /* terms of the series behind the last M_k: 1/16! is rounding */
+    enum { BEYOND = 10 }; /* behind the last term, where to take r as 0 is rounding */
     if (t->piece_s == piece_s && t->terms >= terms)
         return;
+    const double most_rad = t->omega[0][0] * piece_s;
     t->piece_s = piece_s;
     t->terms = terms;
-    for (int i = 0; i < BATCH; i++) {
-        double angle = t->omega[i] * piece_s, re = -p->damping * angle, im = p->root * angle;
-        double x = 1.0 / (terms + BEYOND), y = 0; /* M_k */
-        for (int k = terms + BEYOND - 1; k > 0; k--) {
-            double next = (1 + re * x - im * y) / k;
-            y = (re * y + im * x) / k;
-            x = next;
-            if (k <= terms) {
-                t->load[k - 1][0][i] = -piece_s * x;
-                t->load[k - 1][1][i] = -piece_s * y;
-            }
+    t->size[0] = 1;
+    for (int k = 1; k < terms; k++)
+        t->size[k] = t->size[k - 1] * 0.5 * most_rad / (2 * k + 1);
+    for (int i = 0; i < PAIRS; i++) {
+        const thud_vec2 angle = piece_s * t->omega[i];
+        const struct thud_complex2 mu = {-p->damping * angle, p->root * angle};
+        struct thud_complex2 x = {{0, 0}, {0, 0}}; /* r_k, then L_0, then -h L_k */
+        for (int k = terms + BEYOND; k > 0; k--) {
+            x = times(mu, x);
+            x = over(mu, (struct thud_complex2){x.re - 2 * (2 * k + 1), x.im});
+            if (k < terms)
+                t->load[k][i] = x;
         }
-        t->turn[0][i] = 1 + re * x - im * y;
-        t->turn[1][i] = re * y + im * x;
-        t->bend[i] = angle * angle / 8;
-        t->push[i] = piece_s * angle * (1 + angle) / 8;
+        x = times(mu, (struct thud_complex2){1 + x.re, x.im});
+        x = over((struct thud_complex2){{2, 2}, {0, 0}}, (struct thud_complex2){2 - x.re, -x.im});
+        t->mu[i] = mu;
+        t->turn[i] = times(mu, x);
+        t->turn[i].re += 1;
+        t->load[0][i] = x = (struct thud_complex2){-piece_s * x.re, -piece_s * x.im};
+        for (int k = 1; k < terms; k++)
+            t->load[k][i] = x = times(x, t->load[k][i]);
     }
 }
 
-/* Im z between two ends, where it may pass the peak: an extremum inside, if its slope may change sign. */
-static void look_inside(const struct thud_floor_oscillators *p, const struct thud_floor_block *t,
-                        const struct thud_floor_load *load, int i, const double from[2], struct thud_floor_batch *batch)
+/* Largest |Im z| of an oscillator in a piece, by power series, if it is above the peak so far. The coefficients of P_k have
+ * the ratios -(k - j) (k + j + 1)/(j + 1)^2. */
+static double look_inside(const struct thud_floor_block *t, const struct thud_floor_load *load, int pair, int i,
+                          struct thud_complex2 from, double peak)
 {
-    double angle = t->omega[i] * t->piece_s, re = -p->damping * angle, im = p->root * angle;
-    double start = re * from[1] + im * from[0], end = re * batch->z[1][i] + im * batch->z[0][i], where;
-    double push = t->piece_s * load->most, size = fabs(from[0]) + fabs(from[1]) + push;
-    double third = angle * (angle * (angle * size + push) + t->piece_s * load->slope); /* of the slope's curvature */
-    double c[THUD_SEGMENT_TERMS], x = from[0], y = from[1];
-    batch->peak[i] = fmax(batch->peak[i], fabs(batch->z[1][i]));
-    if ((start > 0) == (end > 0) && fmin(fabs(start), fabs(end)) > third / 8)
-        return;
+    const double re = t->mu[pair].re[i], im = t->mu[pair].im[i];
+    double b[THUD_SEGMENT_TERMS] = {0}, c[THUD_SEGMENT_TERMS], x = from.re[i], y = from.im[i], where;
+    for (int k = 0; k < load->terms; k++) {
+        double part = (k % 2 ? -t->piece_s : t->piece_s) * load->c[k];
+        for (int j = 0; j <= k; j++) {
+            b[j] += part;
+            part *= -(double)((k - j) * (k + j + 1)) / ((j + 1) * (j + 1));
+        }
+    }
     for (int k = 0; k < THUD_SEGMENT_TERMS; k++) {
-        double next = re * x - im * y - (k < load->terms ? t->piece_s * load->b[k] : 0);
+        const double next = (re * x - im * y - b[k]) / (k + 1);
         c[k] = y;
         y = (re * y + im * x) / (k + 1);
-        x = next / (k + 1);
+        x = next;
     }
-    batch->peak[i] = thud_poly_peak(c, THUD_SEGMENT_TERMS, 1, batch->peak[i], &where);
+    return thud_poly_peak(c, THUD_SEGMENT_TERMS, 1, peak, &where);
 }
 
-static void advance(const struct thud_floor_oscillators *p, const struct thud_floor_block *t,
-                    const struct thud_floor_load *load, struct thud_floor_batch *batch)
+/* Peaks of the piece that the oscillators have gone through. A cubic has the values and slopes of Im z at both ends, and
+ * differs from it by at most (s (1 - s))^2/24 of the fourth derivative. So |Im z| stays below the peak so far where the
+ * cubic's two inner control points do by 1/288 of that derivative: their part in it is 3 s (1 - s). The bound is
+ *
+ *     Im z'''' = Im(mu^2 z'' - mu h a''),   |z''(s)| <= |z''(0)| + h max |a''|   (derivatives by s) */
+static void look(const struct thud_floor_block *t, const struct thud_floor_load *load, const struct thud_complex2 *from,
+                 struct thud_floor_batch *batch)
 {
-    thud_vec2 re[PAIRS], im[PAIRS];
-    double from[2][BATCH];
-    memcpy(from, batch->z, sizeof from);
+    const double h = t->piece_s, curve = h * load->curve;
+    thud_vec2 margin = {INFINITY, INFINITY};
     for (int i = 0; i < PAIRS; i++) {
-        thud_vec2 x = thud_vec2_at(from[0] + 2 * i), y = thud_vec2_at(from[1] + 2 * i),
-                  c = thud_vec2_at(t->turn[0] + 2 * i), s = thud_vec2_at(t->turn[1] + 2 * i);
-        re[i] = c * x - s * y;
-        im[i] = c * y + s * x;
+        const struct thud_complex2 mu = t->mu[i], to = batch->z[i];
+        const thud_vec2 angle = h * t->omega[i], last = to.im - times(mu, to).im / 3;
+        struct thud_complex2 z = times(mu, from[i]); /* z', then z'' at the start */
+        const thud_vec2 first = from[i].im + z.im / 3;
+        z.re -= h * load->start;
+        z = times(mu, z);
+        z.re -= h * load->slope;
+        const thud_vec2 fourth = angle * (angle * (size_of(z) + curve) + curve),
+                        most = thud_vec2_larger(thud_vec2_abs(first), thud_vec2_abs(last)) + fourth / 288;
+        batch->peak[i] = thud_vec2_larger(batch->peak[i], thud_vec2_abs(to.im));
+        const thud_vec2_bits passes = (thud_vec2_bits)(most > batch->peak[i]);
+        for (int j = 0; j < 2 && thud_vec2_any(passes); j++)
+            if (passes[j])
+                batch->peak[i][j] = look_inside(t, load, i, j, from[i], batch->peak[i][j]);
+        margin = thud_vec2_smaller(batch->peak[i] - size_of(to), margin);
     }
-    for (int k = 0; k < load->terms; k++) {
-        const double b = load->b[k], *r = t->load[k][0], *j = t->load[k][1];
+    batch->margin = thud_smaller(margin[0], margin[1]);
+}
+
+/* Moves the oscillators on a floor through a piece. No |z| grows by more than the integral of |a|. */
+static void advance(const struct thud_floor_block *t, struct thud_floor_load *load, struct thud_floor_batch *batch)
+{
+    struct thud_complex2 from[PAIRS], to[PAIRS];
+    shorten(load, t->size);
+    for (int i = 0; i < PAIRS; i++)
+        to[i] = times(t->turn[i], batch->z[i]);
+    for (int k = 0; k < load->used; k++)
         for (int i = 0; i < PAIRS; i++) {
-            re[i] += b * thud_vec2_at(r + 2 * i);
-            im[i] += b * thud_vec2_at(j + 2 * i);
+            to[i].re += load->c[k] * t->load[k][i].re;
+            to[i].im += load->c[k] * t->load[k][i].im;
         }
-    }
-    for (int i = 0; i < PAIRS; i++) {
-        thud_vec2 x = thud_vec2_abs(thud_vec2_at(from[0] + 2 * i)), y = thud_vec2_abs(thud_vec2_at(from[1] + 2 * i)),
-                  end = thud_vec2_abs(im[i]), peak = thud_vec2_at(batch->peak + 2 * i);
-        thud_vec2 most = thud_vec2_choose((thud_vec2_bits)(end > y), end, y) + thud_vec2_at(t->bend + 2 * i) * (x + y) +
-                         thud_vec2_at(t->push + 2 * i) * load->most;
-        thud_vec2_put(re[i], batch->z[0] + 2 * i);
-        thud_vec2_put(im[i], batch->z[1] + 2 * i);
-        thud_vec2_bits passes = (thud_vec2_bits)(most > peak);
-        if (!thud_vec2_any(passes))
-            continue;
-        for (int i_period = 2 * i; i_period < 2 * i + 2; i_period++)
-            if (passes[i_period - 2 * i])
-                look_inside(p, t, load, i_period, (const double[2]){from[0][i_period], from[1][i_period]}, batch);
-    }
+    batch->margin -= t->piece_s * load->most;
+    const bool near = !(batch->margin > 0);
+    if (near)
+        memcpy(from, batch->z, sizeof from);
+    for (int i = 0; i < PAIRS; i++)
+        batch->z[i] = to[i];
+    if (near)
+        look(t, load, from, batch);
 }
 
 static int parts_of(const struct thud_floor_block *t, double length_s)
 {
     int parts = 1;
-    while (t->omega[0] * length_s > piece_most_rad * parts)
+    while (t->omega[0][0] * length_s > piece_most_rad * parts)
         parts *= 2;
     return parts;
 }
@@ -177,29 +230,23 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 {
     struct thud_floor_oscillators *p = own;
     const double length = o->s * o->seg->h_s;
-    int terms = 0;
     (void)err;
     assert(!o->seg->interpolates && !o->seg->end);
-    for (int f = 0; f < p->nfloors; f++) {
-        read_floor(p, o, f);
-        terms = p->load[f].terms > terms ? p->load[f].terms : terms;
-    }
     for (int b = 0, next; b < p->nblocks; b = next) {
         const int parts = parts_of(&p->table[b], length);
-        for (next = b; next < p->nblocks && parts_of(&p->table[next], length) == parts; next++)
-            make_table(p, &p->table[next], length / parts, terms);
-        for (int j = 0; j < parts; j++)
-            for (int f = 0; f < p->nfloors; f++) {
-                const struct thud_floor_load *load = &p->load[f];
-                if (parts > 1) {
-                    make_part(p, f, j, parts);
-                    load = &p->part[f];
-                }
-                for (int k = b; k < next; k++)
-                    advance(p, &p->table[k], load, &p->batch[k * p->nfloors + f]);
+        for (next = b + 1; next < p->nblocks && parts_of(&p->table[next], length) == parts;)
+            next++;
+        for (int j = 0; j < parts; j++) {
+            const int terms = read_floors(p, o, o->s * j / parts, o->s * (j + 1) / parts);
+            for (int k = b; k < next; k++) {
+                struct thud_floor_batch *batch = p->batch + k * p->nfloors;
+                make_table(p, &p->table[k], length / parts, terms);
+                for (struct thud_floor_load *load = p->load, *end = load + p->nfloors; load < end; load++)
+                    advance(&p->table[k], load, batch++);
             }
+        }
     }
-    memcpy(p->rates, o->qd, (size_t)p->nmodes * sizeof *p->rates);
+    memcpy(p->rates, o->qd, (size_t)o->state->model->nmodes * sizeof *p->rates);
     return THUD_OK;
 }
 
@@ -211,30 +258,19 @@ static void switched(void *own, const struct thud_state *state, int row, enum th
     for (int f = 0; f < p->nfloors; f++) {
         double jump =
             thud_model_floor(state->model, p->dof[f], state->qd) - thud_model_floor(state->model, p->dof[f], p->rates);
-        for (int b = 0; jump != 0 && b < p->nblocks; b++)
-            for (int i = 0; i < BATCH; i++)
-                p->batch[b * p->nfloors + f].z[0][i] -= jump;
+        for (int b = 0; jump != 0 && b < p->nblocks; b++) {
+            struct thud_floor_batch *batch = &p->batch[b * p->nfloors + f];
+            batch->margin = 0;
+            for (int i = 0; i < PAIRS; i++)
+                batch->z[i].re -= jump;
+        }
     }
-    memcpy(p->rates, state->qd, (size_t)p->nmodes * sizeof *p->rates);
+    memcpy(p->rates, state->qd, (size_t)state->model->nmodes * sizeof *p->rates);
 }
 
 const struct thud_observer thud_observe_floors = {.segment = segment, .switched = switched};
 
 /* ---- making them ---- */
-
-static void make_monic(struct thud_floor_oscillators *p)
-{
-    double last[TERMS] = {1}, now[TERMS] = {-1, 2}, next[TERMS];
-    for (int m = 1; m < TERMS; m++) {
-        for (int k = 0; k <= m; k++)
-            p->monic[m][k] = now[k] / now[m];
-        p->size[m] = 1 / now[m];
-        for (int k = 0; k < TERMS; k++) /* T_(m+1) = 2 (2 s - 1) T_m - T_(m-1) */
-            next[k] = (k > 0 ? 4 * now[k - 1] : 0) - 2 * now[k] - last[k];
-        memcpy(last, now, sizeof last);
-        memcpy(now, next, sizeof now);
-    }
-}
 
 enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, const struct thud_model *model,
                                              const struct thud_floor_spectra_choice *choice, struct thud_error *err)
@@ -243,40 +279,37 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
     assert(choice->damping > 0 && choice->damping < 1);
     struct thud_arena arena;
     const size_t nf = (size_t)choice->nfloors, nm = (size_t)model->nmodes,
-                 nb = ((size_t)choice->nperiods + BATCH - 1) / BATCH;
+                 nb = ((size_t)choice->nperiods + BATCH - 1) / BATCH, numbers = nf + nm * (TERMS + 1);
     *p = (struct thud_floor_oscillators){.nfloors = choice->nfloors,
                                          .nperiods = choice->nperiods,
                                          .nblocks = (int)nb,
-                                         .nmodes = model->nmodes,
                                          .damping = choice->damping,
                                          .root = sqrt(1 - choice->damping * choice->damping)};
-    p->left_out = accuracy * tanh(0.5 * THUD_PI * p->damping / p->root);
-    if (!thud_arena_open(&arena, thud_arena_room(nf, sizeof *p->dof) + 2 * thud_arena_room(nf, sizeof(double)) +
-                                     thud_arena_room(nm, sizeof(double)) + 2 * thud_arena_room(nf, sizeof *p->load) +
-                                     thud_arena_room(nb, sizeof *p->table) +
+    p->left_out = accuracy * p->root * (1 - exp(-p->damping * piece_most_rad)) / piece_most_rad;
+    if (!thud_arena_open(&arena, thud_arena_room(nf, sizeof *p->dof) + thud_arena_room(numbers, sizeof(double)) +
+                                     thud_arena_room(nf, sizeof *p->load) + thud_arena_room(nb, sizeof *p->table) +
                                      thud_arena_room(nb * nf, sizeof *p->batch)))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     p->memory = arena.next;
     p->dof = thud_arena_take(&arena, nf, sizeof *p->dof);
-    p->influence = thud_arena_take(&arena, nf, sizeof(double));
-    p->largest = thud_arena_take(&arena, nf, sizeof(double));
-    p->rates = thud_arena_take(&arena, nm, sizeof(double));
+    p->largest = thud_arena_take(&arena, numbers, sizeof(double));
+    p->rates = p->largest + nf;
+    p->modal = p->rates + nm;
     p->load = thud_arena_take(&arena, nf, sizeof *p->load);
-    p->part = thud_arena_take(&arena, nf, sizeof *p->part);
     p->table = thud_arena_take(&arena, nb, sizeof *p->table);
     p->batch = thud_arena_take(&arena, nb * nf, sizeof *p->batch);
     for (int f = 0; f < p->nfloors; f++) {
         assert(choice->dof[f] >= 0 && choice->dof[f] < model->ndof);
         p->dof[f] = choice->dof[f];
-        p->influence[f] = thud_model_floor(model, p->dof[f], model->gamma);
     }
     for (int i = 0; i < p->nblocks * BATCH; i++) {
         double period = choice->period_s[i < p->nperiods ? i : p->nperiods - 1];
         assert(period > 0 && (i == 0 || i >= p->nperiods || period >= choice->period_s[i - 1]));
-        p->table[i / BATCH].omega[i % BATCH] = 2 * THUD_PI / period;
+        p->table[i / BATCH].omega[i % BATCH / 2][i % 2] = 2 * THUD_PI / period;
     }
+    for (int k = 0; k < TERMS; k++)
+        p->ones[k] = 1;
     memcpy(p->rates, model->qd0, nm * sizeof *p->rates);
-    make_monic(p);
     return THUD_OK;
 }
 
@@ -289,6 +322,7 @@ void thud_floor_oscillators_clear(struct thud_floor_oscillators *p)
 double thud_floor_oscillators_peak(const struct thud_floor_oscillators *p, int floor, int period)
 {
     assert(floor >= 0 && floor < p->nfloors && period >= 0 && period < p->nperiods);
-    const int block = period / BATCH, i_period = period % BATCH;
-    return p->table[block].omega[i_period] * p->batch[block * p->nfloors + floor].peak[i_period] / p->root;
+    const int block = period / BATCH, pair = period % BATCH / 2;
+    return p->table[block].omega[pair][period % 2] * p->batch[block * p->nfloors + floor].peak[pair][period % 2] /
+           p->root;
 }
