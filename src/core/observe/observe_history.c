@@ -317,16 +317,13 @@ static double next_peak(const struct thud_history_rows *rows, double after)
     const struct thud_result *r = rows->result;
     double best = INFINITY;
     for (int s = 0; s < r->nstructures; s++)
-        for (int i = 0; i < r->structure[s].floors; i++) {
+        for (int i = 0; i < r->structure[s].floors + (r->structure[s].foundation ? 2 : 0); i++) {
             const struct thud_floor_result *f = &r->structure[s].floor[i];
             best = sooner(best, f->acceleration, after);
             best = sooner(best, f->displacement, after);
             best = sooner(best, f->velocity, after);
             best = sooner(best, f->drift, after);
         }
-    for (int s = 0; s < r->nstructures; s++)
-        for (int i = 0; r->structure[s].foundation && i < 2; i++)
-            best = sooner(best, r->structure[s].foundation[i].displacement, after);
     for (int c = 0; c < r->ncontacts; c++) {
         best = sooner(best, r->contact[c].force, after);
         best = sooner(best, r->contact[c].indentation, after);

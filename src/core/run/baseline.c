@@ -55,18 +55,6 @@ static void thin(struct thud_baseline_motion *baseline)
     baseline->apart *= 2;
 }
 
-/* Floors of a structure, and the rows of its foundation. */
-static int rows_of(const struct thud_structure_result *r)
-{
-    return r->floors + (r->foundation ? 2 : 0);
-}
-
-static void copy_floors(const struct thud_result *result, struct thud_floor_result *to)
-{
-    for (int s = 0; s < result->nstructures; to += rows_of(&result->structure[s]), s++)
-        memcpy(to, result->structure[s].floor, (size_t)rows_of(&result->structure[s]) * sizeof *to);
-}
-
 /* Links that are contacts act in the baseline too; from where one has, no run starts. */
 static bool is_held(const struct thud_run *run)
 {
@@ -107,7 +95,7 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     memcpy(moment->state, run->state.q, n * sizeof(double));
     memcpy(moment->state + n, run->state.qd, n * sizeof(double));
     memcpy(moment->state + 2 * n, baseline->relative.largest_m, nc * sizeof(double));
-    copy_floors(&run->result, moment->floor);
+    memcpy(moment->floor, r->structure->floor, floors * sizeof *moment->floor); /* of all structures */
     memcpy(moment->column, r->column, columns * sizeof *moment->column);
     memcpy(moment->link, r->link, links * sizeof *moment->link);
     memcpy(moment->storey, run->state.storey, storeys * sizeof *moment->storey);
@@ -231,13 +219,11 @@ static bool before_contact(const struct thud_baseline_motion *baseline, const st
 /* Puts a new run where the baseline was, with what it had found. */
 static void start_at(struct thud_run *run, const struct moment *moment)
 {
-    size_t n = (size_t)run->state.model->nmodes;
-    const struct thud_floor_result *from = moment->floor;
+    const size_t n = (size_t)run->state.model->nmodes, floors = (size_t)run->state.model->ndof;
     run->state.grid = moment->grid;
     memcpy(run->state.q, moment->state, n * sizeof(double));
     memcpy(run->state.qd, moment->state + n, n * sizeof(double));
-    for (int s = 0; s < run->result.nstructures; from += rows_of(&run->result.structure[s]), s++)
-        memcpy(run->result.structure[s].floor, from, (size_t)rows_of(&run->result.structure[s]) * sizeof *from);
+    memcpy(run->result.structure->floor, moment->floor, floors * sizeof *moment->floor);
     memcpy(run->result.column, moment->column, (size_t)run->result.ncolumns * sizeof *moment->column);
     memcpy(run->result.link, moment->link, (size_t)run->result.nlinks * sizeof *moment->link);
     thud_contact_moved(&run->state);

@@ -34,15 +34,13 @@ static bool allocate_result(struct thud_run *run)
     struct thud_result *r = &run->result;
     struct thud_arena arena;
     size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, columns = (size_t)m->ncolumns,
-           links = (size_t)m->nlinks, storeys = m->nstoreys > m->nslips ? (size_t)m->ndof : 0;
-    size_t bytes = thud_arena_room(ns, sizeof *r->structure) + thud_arena_room(nc, sizeof *r->contact) +
-                   thud_arena_room(columns, sizeof *r->column) +
-                   thud_arena_room(storeys, sizeof(struct thud_storey_result)) +
-                   thud_arena_room(links, sizeof *r->link);
-    for (int s = 0; s < m->nstructures; s++)
-        bytes += thud_arena_room((size_t)m->structure[s].dofs, sizeof(struct thud_floor_result)) +
-                 thud_arena_room((size_t)m->structure[s].n, sizeof(double));
-    if (!thud_arena_open(&arena, bytes))
+           links = (size_t)m->nlinks, floors = (size_t)m->ndof, storeys = m->nstoreys > m->nslips ? floors : 0;
+    if (!thud_arena_open(&arena, thud_arena_room(ns, sizeof *r->structure) + thud_arena_room(nc, sizeof *r->contact) +
+                                     thud_arena_room(columns, sizeof *r->column) +
+                                     thud_arena_room(links, sizeof *r->link) +
+                                     thud_arena_room(storeys, sizeof(struct thud_storey_result)) +
+                                     thud_arena_room(floors, sizeof(struct thud_floor_result)) +
+                                     thud_arena_room(floors, sizeof(double))))
         return false;
     run->result_block = arena.next;
     r->nstructures = m->nstructures;
@@ -54,15 +52,17 @@ static bool allocate_result(struct thud_run *run)
     r->column = thud_arena_take(&arena, columns, sizeof *r->column);
     r->link = thud_arena_take(&arena, links, sizeof *r->link);
     struct thud_storey_result *storey = thud_arena_take(&arena, storeys, sizeof *storey);
+    struct thud_floor_result *floor = thud_arena_take(&arena, floors, sizeof *floor);
+    double *period_s = thud_arena_take(&arena, floors, sizeof *period_s);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         r->structure[s].floors = p->n;
-        r->structure[s].floor = thud_arena_take(&arena, (size_t)p->dofs, sizeof(struct thud_floor_result));
+        r->structure[s].floor = floor + p->first;
         r->structure[s].rigid_period_s = p->rigid_period_s;
         r->structure[s].soil_damping = p->soil_damping;
         r->structure[s].arm_m = p->arm_m;
         r->structure[s].foundation = p->dofs > p->n ? r->structure[s].floor + p->n : NULL;
-        r->structure[s].period_s = thud_arena_take(&arena, (size_t)p->n, sizeof(double));
+        r->structure[s].period_s = period_s + p->first;
         for (int j = 0; j < p->n; j++)
             r->structure[s].period_s[j] = 2 * THUD_PI / p->omega[j];
     }
