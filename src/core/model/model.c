@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/largest.h"
 #include "base/quantity.h"
 #include "core/model/element.h"
 #include "core/model/foundation.h"
@@ -49,38 +50,10 @@ static bool yields(const struct thud_structure_input *in, int i)
     return in->stiffness_npm && in->yield_m && isfinite(in->yield_m[i]) && in->hardening[i] < 1;
 }
 
-static int yielding_storeys(const struct thud_model_input *in)
-{
-    int count = 0;
-    for (int s = 0; s < in->nstructures; s++)
-        for (int i = 0; i < in->structure[s].n; i++)
-            count += yields(&in->structure[s], i);
-    return count;
-}
-
-/* Links of friction. */
-static int slipping_links(const struct thud_model_input *in)
-{
-    int count = 0;
-    for (int i = 0; i < in->nlinks; i++)
-        count += in->link[i].slip_n > 0;
-    return count;
-}
-
-/* Links that are contacts. */
-static int one_sided_links(const struct thud_model_input *in)
-{
-    int count = 0;
-    for (int i = 0; i < in->nlinks; i++)
-        count += in->link[i].law != NULL;
-    return count;
-}
-
 /* Room for the model and all its arrays, in the order in which they are taken: one allocation. */
-static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nstoreys)
+static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nc, size_t nstoreys)
 {
-    size_t nc = (size_t)(in->ncontacts + one_sided_links(in)) + nstoreys,
-           bytes = thud_arena_room(1, sizeof(struct thud_model));
+    size_t bytes = thud_arena_room(1, sizeof(struct thud_model));
     bytes += thud_arena_room((size_t)in->nstructures, sizeof(struct thud_model_structure));
     bytes += thud_arena_room(nstoreys, sizeof(struct thud_model_storey));
     bytes += thud_arena_room(nc, sizeof(struct thud_model_contact)) + thud_arena_room(ndof, sizeof(int));
@@ -202,15 +175,12 @@ static enum thud_status fill_soil(struct thud_arena *arena, struct thud_model_st
     for (int i = 0; i < to->n; i++)
         rise[i] = in->rise_m[i] / to->arm_m;
     to->rise = rise;
-    bool damped = false;
     enum thud_status status =
         thud_foundation_modes(in, fixed_omega, fixed, fixed_damping, omega, all, all_damping, err);
-    for (size_t i = 0; i < dofs * dofs; i++)
-        damped = damped || all_damping[i] != 0;
     if (status == THUD_OK)
         keep_columns(all, to->dofs, to->dofs, to->modes, phi);
     to->soil_damping = 0.5 * all_damping[0] / omega[0];
-    if (status == THUD_OK && damped)
+    if (status == THUD_OK && thud_largest_size(all_damping, (int)(dofs * dofs)) > 0)
         keep_damping(arena, to, all_damping, to->dofs);
     free(block);
     return status;
@@ -399,6 +369,13 @@ static double inverse_mass(const struct thud_model *m, const struct thud_model_s
     return inverse + (side->tilt < 0 ? 0 : side->by_tilt * side->by_tilt / m->mass_kg[side->tilt]);
 }
 
+/* Adds a side's values by modes, by 1 or -1, to those of a row that begins at a mode. */
+static void add_side(const struct thud_model_side *side, int sign, int first_mode, double *row)
+{
+    for (int j = 0; j < side->modes; j++)
+        row[side->first_mode - first_mode + j] += sign * side->row[j];
+}
+
 /* The mass of a row whose two sides stand, and its row of the Jacobian, which is 0 before. */
 static void fill_row(struct thud_model *m, int row)
 {
@@ -407,10 +384,8 @@ static void fill_row(struct thud_model *m, int row)
     double *g = m->jacobian + (size_t)row * (size_t)m->nmodes;
     assert(inverse > 0);
     to->setup.mass_kg = 1 / inverse;
-    for (int j = 0; j < to->left.modes; j++)
-        g[to->left.first_mode + j] += to->left.row[j];
-    for (int j = 0; j < to->right.modes; j++)
-        g[to->right.first_mode + j] -= to->right.row[j];
+    add_side(&to->left, 1, 0, g);
+    add_side(&to->right, -1, 0, g);
 }
 
 /* Index of the columns between the floors `dof` and `below` that this interface's contacts strike; a new one where
@@ -589,16 +564,21 @@ static void fill_delassus(struct thud_model *m)
 static struct thud_model *lay_out(const struct thud_model_input *input, const int *system, const bool *tied,
                                   struct thud_arena *arena)
 {
-    int ndof = 0, nmodes = 0;
+    int ndof = 0, nmodes = 0, nslips = 0, nstoreys = 0, ncontacts = input->ncontacts;
     for (int s = 0; s < input->nstructures; s++) {
         ndof += thud_input_dofs(&input->structure[s]);
         nmodes += thud_input_modes(&input->structure[s], input->modes);
+        for (int i = 0; i < input->structure[s].n; i++)
+            nstoreys += yields(&input->structure[s], i);
     }
-    const int nslips = slipping_links(input), nstoreys = yielding_storeys(input) + nslips,
-              ncontacts = input->ncontacts + one_sided_links(input);
+    for (int i = 0; i < input->nlinks; i++) {
+        ncontacts += input->link[i].law != NULL; /* one-sided */
+        nslips += input->link[i].slip_n > 0;     /* of friction */
+    }
+    nstoreys += nslips;
     size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(ncontacts + nstoreys);
     if (!thud_arena_open(arena,
-                         model_bytes(input, floors, modes, (size_t)nstoreys) + thud_tie_bytes(input, system, tied)))
+                         model_bytes(input, floors, modes, nc, (size_t)nstoreys) + thud_tie_bytes(input, system, tied)))
         return NULL;
     struct thud_model *m = thud_arena_take(arena, 1, sizeof *m);
     m->nstructures = input->nstructures;
@@ -655,10 +635,8 @@ static void fill_link_row(struct thud_model *m, struct thud_arena *arena, struct
     to->modes = last->first_mode + last->modes - first->first_mode;
     double *row = thud_arena_take(arena, (size_t)to->modes, sizeof *row);
     to->row = row;
-    for (int j = 0; j < left.modes; j++)
-        row[left.first_mode - to->first_mode + j] += left.row[j];
-    for (int j = 0; j < right.modes; j++)
-        row[right.first_mode - to->first_mode + j] -= right.row[j];
+    add_side(&left, 1, to->first_mode, row);
+    add_side(&right, -1, to->first_mode, row);
 }
 
 /* A one-sided link is a contact; in tension its ends are swapped. */

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/largest.h"
 #include "core/numerics/vec.h"
 
 static bool is_linear(const struct thud_link_input *link)
@@ -194,14 +195,6 @@ static void fill_modes(const struct tie *t, struct thud_model *m)
     }
 }
 
-static bool any(const double *x, int n)
-{
-    for (int i = 0; i < n; i++)
-        if (x[i] != 0)
-            return true;
-    return false;
-}
-
 /* The structures' rows of the common modes, and their damping where there is any. */
 static void hand_out(const struct tie *t, struct thud_model *m, const double *phi, const double *damping)
 {
@@ -237,7 +230,7 @@ enum thud_status thud_tie_system(struct thud_model *m, struct thud_arena *arena,
     turn_values(&t, m->gamma);
     turn_values(&t, m->qd0);
     turn_shapes(&t, m, phi);
-    hand_out(&t, m, phi, any(damping, (int)(n * n)) ? damping : NULL);
+    hand_out(&t, m, phi, thud_largest_size(damping, (int)(n * n)) > 0 ? damping : NULL);
     fill_modes(&t, m);
     free(t.block);
     return THUD_OK;
