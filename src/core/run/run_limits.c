@@ -12,13 +12,11 @@ enum thud_status thud_run_check_options(const struct thud_run_options *o, const 
 {
     if (!(o->tolerance >= 1e-13 && o->tolerance <= 0.1))
         return thud_error_refuse(err, THUD_INPUT, "tolerance", "1e-13 to 0.1", "%g is out of bounds", o->tolerance);
-    if (!(o->tail_s >= 0) || (!record && !(o->tail_s > 0))) {
-        thud_error_set(err, THUD_INPUT, "%g s is too short", o->tail_s);
-        thud_error_key(err, "tail");
-        thud_error_allow(err,
-                         record ? "0 s or more" : "without a ground motion it is the duration and must be above 0");
-        return THUD_INPUT;
-    }
+    if (!(o->tail_s >= 0) || (!record && !(o->tail_s > 0)))
+        return thud_error_refuse(err, THUD_INPUT, "tail",
+                                 record ? "0 s or more"
+                                        : "without a ground motion it is the duration and must be above 0",
+                                 "%g s is too short", o->tail_s);
     if (!isnan(o->step_s) && !(o->step_s >= 1e-9 && isfinite(o->step_s)))
         return thud_error_refuse(err, THUD_INPUT, "step", "1e-9 s or more", "%g s is out of bounds", o->step_s);
     return THUD_OK;

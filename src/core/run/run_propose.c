@@ -87,18 +87,15 @@ static struct row_name name_row(const struct thud_model *model, int row)
     struct row_name name;
     const struct thud_model_storey *storey = thud_model_row_storey(model, row);
     const struct thud_model_contact *contact = &model->contact[row];
-    if (storey && storey->link >= 0) {
-        snprintf(name.words, sizeof name.words, "link %d", storey->link + 1);
-        snprintf(name.key, sizeof name.key, "links.%d", storey->link + 1);
+    int link = storey ? storey->link : -1;
+    for (int i = 0; i < model->nlinks && !storey; i++)
+        link = model->link[i].contact == row ? i : link;
+    if (link >= 0) {
+        snprintf(name.words, sizeof name.words, "link %d", link + 1);
+        snprintf(name.key, sizeof name.key, "links.%d", link + 1);
     } else if (storey) {
         snprintf(name.words, sizeof name.words, "storey %d of structure %d", storey->floor + 1, storey->structure + 1);
         snprintf(name.key, sizeof name.key, "structures.%d.yield.%d", storey->structure + 1, storey->floor + 1);
-    } else if (row >= model->npairs) {
-        int i = 0;
-        while (model->link[i].contact != row)
-            i++;
-        snprintf(name.words, sizeof name.words, "link %d", i + 1);
-        snprintf(name.key, sizeof name.key, "links.%d", i + 1);
     } else {
         snprintf(name.words, sizeof name.words, "contact between floors %d and %d", contact->left_floor,
                  contact->right_floor);
@@ -145,13 +142,12 @@ static enum thud_status watch_crowd(struct thud_run *run, const struct thud_prop
         return THUD_OK;
     struct row_name name = name_row(run->state.model, p->contact);
     const bool storey = thud_model_row_storey(run->state.model, p->contact) != NULL;
-    thud_error_set(err, THUD_DIVERGED, "%s %ld times from t = %.9g s to %.9g s, last %s",
-                   storey ? "storeys yield and unload" : "contacts switch", crowd, progress->from_s, now_s, name.words);
-    thud_error_key(err, "%s", name.key);
-    thud_error_allow(
-        err, storey ? "more hardening, or a larger tolerance, lets a storey come to rest at its yield drift"
-                    : "a restitution below 1, a larger tolerance or a law with a force lets bounces come to rest");
-    return THUD_DIVERGED;
+    return thud_error_refuse(
+        err, THUD_DIVERGED, name.key,
+        storey ? "more hardening, or a larger tolerance, lets a storey come to rest at its yield drift"
+               : "a restitution below 1, a larger tolerance or a law with a force lets bounces come to rest",
+        "%s %ld times from t = %.9g s to %.9g s, last %s", storey ? "storeys yield and unload" : "contacts switch",
+        crowd, progress->from_s, now_s, name.words);
 }
 
 /* Counts the steps that stay at one moment, or so near to it that no motion lies between, and what it took to leave it.
