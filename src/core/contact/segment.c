@@ -315,17 +315,19 @@ void thud_taylor_structure(const struct thud_model *model, struct thud_segment *
     series_of(model, seg, &of, q, qd);
 }
 
-void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order)
+void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, double h_s, int terms,
+                      const double *load)
 {
-    int n = model->nmodes;
     const struct slice all = all_of(model);
-    assert(order >= 0 && order + 2 < seg->terms && seg->a0 == 0 && seg->a1 == 0 && seg->loaded == 0);
-    memset(seg->q, 0, (size_t)seg->terms * (size_t)n * sizeof(double));
-    for (int k = order; k + 2 < seg->terms; k++) {
+    seg->h_s = h_s;
+    seg->terms = terms;
+    seg->a0 = seg->a1 = 0;
+    seg->loaded = 0;
+    memset(seg->q, 0, (size_t)seg->terms * (size_t)model->nmodes * sizeof(double));
+    for (int j = 0; j < model->nmodes; j++)
+        seg->q[2 * model->nmodes + j] = -load_factor(seg, 0) * load[j];
+    for (int k = 1; k + 2 < seg->terms; k++)
         next_order(model, seg, &all, k);
-        for (int j = 0; j < n && k == order; j++)
-            seg->q[(k + 2) * n + j] -= load_factor(seg, k) * load[j];
-    }
 }
 
 /* Eq. (7): F_ck = k d_ck + c (k + 1)/h d_c,k+1 (+ f0 for k = 0) of every closed contact with a linear branch. d_ck and

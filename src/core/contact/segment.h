@@ -87,8 +87,9 @@ void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg,
 /* The same of the modes of one structure, and of what it is tied to, alone; q and qd are of all. */
 void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
                            const double *qd);
-/* Motion from rest under the modal load load[j] s^order alone (seg->a0, a1 and seg->force must be 0). */
-void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order);
+/* Motion from rest over h seconds under the constant modal load alone. */
+void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, double h_s, int terms,
+                      const double *load);
 /* The same from the run's state with the linear branches of its closed contacts and the constraint forces of its sticking
  * ones, which are found along with it. */
 double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/contact/segment.h"
+#include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
@@ -20,15 +21,20 @@
  * Glossary; a, b are rows (contacts, storeys), j a mode, i a point, k a node, p a power of s.
  *
  *     level          h = h_top/2^level; the tables of a level are made when it is first needed
- *     x_p            motion from rest of a mode under the load s^p alone: level->load, one table for all rows where modes
- *                    are uncoupled (load 1 on each mode), else one for each row b (load g_b)
+ *     x_p            motion from rest of a mode under the load s^p alone, one for all rows where modes are uncoupled (load
+ *                    1 on each mode), else one for each row b (load g_b). Its rate starts at 0 and is p times the motion
+ *                    under s^(p - 1): x_p = p int x_(p-1) ds, so that the series of x_0 is all that is made
  *     R_ab, R'_ab    level->pair: sums of g_a x_p times the coefficients of l_k, below 0 where the force pushes apart
  *     r0, rise       x->at_start, x->rise: modal accelerations at t0 without contact forces, and by how much ground and
  *                    velocity change them in h (m kg^1/2/s^2). q = q0 + q0' h s + r0 x_0 + rise x_1 */
 enum { LEVELS = 48 };
 
 struct level {
-    thud_vec2 **load; /* (loads) of (n x nmodes x points): x_p and its rate; NULL: not yet made */
+    int terms; /* of a series */
+    struct load {
+        double *series;   /* (terms x nmodes) of x_0; NULL: not yet made */
+        thud_vec2 *start; /* (2 x nmodes x points) x_0 and x_1 with their rates */
+    } * load;             /* (loads) */
     thud_vec2 *
         *pair; /* (nrows x nrows) of a <= b: (points x n) R_ab and R'_ab; NULL: not yet made. R_ba is the same, as
                          stiffness and damping are symmetric (Betti and Maxwell) */
@@ -83,7 +89,7 @@ void thud_responses_free(struct thud_responses *x)
             free(level->pair[p]);
         free(level->pair);
         for (int load = 0; level->load && load < x->loads; load++)
-            free(level->load[load]);
+            free(level->load[load].series);
         free(level->load);
     }
     free(x->at_start);
@@ -94,37 +100,37 @@ void thud_responses_free(struct thud_responses *x)
 
 /* ---- R and R' ---- */
 
-/* x_p of all modes at the points and their rates, for loads b s^p, by power series: out (nmodes x points). */
-static void fill_power(struct thud_responses *x, double h, const double *b, int p, thud_vec2 *out)
+/* A power series (terms) of x_p, and of others that stand `apart` behind it, becomes that of x_(p + 1). */
+static void raise_power(double *series, int terms, int apart, int p)
 {
-    const int n = x->model->nmodes;
-    struct thud_segment *seg = &x->seg;
-    /* a load's own power comes on top */
-    seg->terms = thud_segment_terms(x->model->fastest_radps * h, THUD_TOL_SERIES) + x->n;
-    seg->terms = seg->terms < THUD_SEGMENT_TERMS ? seg->terms : THUD_SEGMENT_TERMS;
-    seg->h_s = h;
-    seg->a0 = seg->a1 = 0;
-    seg->loaded = 0;
-    thud_taylor_load(x->model, seg, b, p);
-    for (int i = 0; i < x->points; i++) {
-        thud_segment_state(seg, n, x->point[i], x->at_start, x->rise);
-        for (int j = 0; j < n; j++)
-            out[j * x->points + i] = thud_vec2_set(x->at_start[j], x->rise[j]);
-    }
+    for (int k = terms - 1; k > 0; k--)
+        for (int j = 0; j < apart; j++)
+            series[k * apart + j] = (p + 1.0) / k * series[(k - 1) * apart + j];
 }
 
-static bool fill_load(struct thud_responses *x, thud_vec2 **out, int load, double h)
+/* The series under the load b on the modes, and what of it is read at the points. */
+static bool fill_load(struct thud_responses *x, struct load *out, const double *b, int terms, double h)
 {
     const int n = x->model->nmodes, size = n * x->points;
-    *out = calloc((size_t)(x->n * size), sizeof **out);
-    for (int p = 0; p < x->n && *out; p++)
-        fill_power(x, h, x->model->couples ? x->model->jacobian + load * n : x->ones, p, *out + p * size);
-    return *out != NULL;
+    struct thud_segment *seg = &x->seg;
+    out->series = calloc((size_t)(terms * n + 4 * size), sizeof *out->series);
+    if (!out->series)
+        return false;
+    out->start = (thud_vec2 *)(out->series + terms * n);
+    thud_taylor_load(x->model, seg, h, terms, b);
+    memcpy(out->series, seg->q, (size_t)(terms * n) * sizeof *out->series);
+    for (int p = 0; p < 2; p++, raise_power(seg->q, terms, n, 0))
+        for (int i = 0; i < x->points; i++) {
+            thud_segment_state(seg, n, x->point[i], x->at_start, x->rise);
+            for (int j = 0; j < n; j++)
+                out->start[p * size + j * x->points + i] = thud_vec2_set(x->at_start[j], x->rise[j]);
+        }
+    return true;
 }
 
 /* Uncoupled modes, one table for all contacts, respond to a contact's force as much as its row has of them;
  * where damping couples them, each contact has its own table. */
-static thud_vec2 **table_of(const struct thud_responses *x, const struct level *level, int c)
+static struct load *load_of(const struct thud_responses *x, const struct level *level, int c)
 {
     return &level->load[x->model->couples ? c : 0];
 }
@@ -162,21 +168,21 @@ static void sum_modes(const struct thud_responses *x, int row, const double *wei
 }
 
 /* R_ab and R'_ab: motion of gap a under the loads s^p on row b, put together to the Lagrange polynomial of each node. */
-static bool fill_pair(struct thud_responses *x, const struct level *level, int a, int b, thud_vec2 **out)
+static bool fill_pair(struct thud_responses *x, const struct level *level, double h, int a, int b, thud_vec2 **out)
 {
     const struct thud_model *m = x->model;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes;
-    const thud_vec2 *table = *table_of(x, level, b);
     thud_vec2 *motion = *out = calloc((size_t)(x->points * x->n), sizeof *motion);
+    double gap[THUD_SEGMENT_TERMS], value[3];
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] = m->couples ? -ga[j] : -ga[j] * gb[j];
-    for (int p = 0; p < x->n && motion; p++, table += x->points * m->nmodes) {
-        thud_vec2 power[THUD_POINTS_MAX] = {0};
-        sum_modes(x, a, x->rise, table, power);
-        for (int i = 0; i < x->points; i++)
+    thud_dots(m->nmodes, x->rise, load_of(x, level, b)->series, m->nmodes, level->terms, gap);
+    for (int p = 0; p < x->n && motion; p++, raise_power(gap, level->terms, 1, p - 1))
+        for (int i = 0; i < x->points; i++) {
+            thud_poly_value3(gap, level->terms, x->point[i], value);
             for (int k = 0; k < x->n; k++)
-                motion[i * x->n + k] += x->lagrange[p * x->n + k] * power[i];
-    }
+                motion[i * x->n + k] += x->lagrange[p * x->n + k] * thud_vec2_set(value[0], value[1] / h);
+        }
     return motion != NULL;
 }
 
@@ -184,22 +190,26 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
                                      struct thud_error *err)
 {
     struct level *level = &x->level[at];
-    const size_t rows = (size_t)x->model->nrows;
+    const struct thud_model *m = x->model;
+    const size_t rows = (size_t)m->nrows;
+    const double h = ldexp(x->h_top, -at);
     bool made = level->pair;
+    level->terms = thud_segment_terms(m->fastest_radps * h, THUD_TOL_SERIES);
     if (!made) {
         level->pair = calloc(rows * rows + 1, sizeof *level->pair);
         level->load = calloc(rows + 1, sizeof *level->load);
         made = level->pair && level->load;
     }
     for (int b = 0; b < n && made; b++) {
-        thud_vec2 **load = table_of(x, level, contact[b]);
-        made = *load || fill_load(x, load, contact[b], ldexp(x->h_top, -at));
+        struct load *load = load_of(x, level, contact[b]);
+        made = load->series ||
+               fill_load(x, load, m->couples ? m->jacobian + contact[b] * m->nmodes : x->ones, level->terms, h);
     }
     for (int a = 0; a < n && made; a++)
         for (int b = 0; b < n && made; b++) {
             const int low = contact[a < b ? a : b], high = contact[a < b ? b : a];
             thud_vec2 **pair = &level->pair[(size_t)low * rows + (size_t)high];
-            made = *pair || fill_pair(x, level, low, high, pair);
+            made = *pair || fill_pair(x, level, h, low, high, pair);
             *out++ = *pair;
         }
     return made ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -228,7 +238,7 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
 static void move_modes(struct thud_responses *x, const struct level *level, int c)
 {
     const int points = x->points, n = x->model->nmodes;
-    const thud_vec2 *table = *table_of(x, level, c), *rising = table + n * points;
+    const thud_vec2 *table = load_of(x, level, c)->start, *rising = table + n * points;
     thud_vec2 *restrict out = x->unforced;
     for (int j = 0; j < n; j++) {
         const double start = x->at_start[j], rise = x->rise[j];
