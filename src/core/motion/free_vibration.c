@@ -23,9 +23,9 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
            rows = (n + THUD_FREE_VIBRATION_BATCH - 1) / THUD_FREE_VIBRATION_BATCH * THUD_FREE_VIBRATION_BATCH,
            count = 0;
     double **by_mode[4 + 4 + 4 + 2 * THUD_FREE_VIBRATION_PRODUCTS + 4];
-    double **by_end[] = {&f->q, &f->qd, &f->acceleration, &f->work[0], &f->work[1], &f->work[2]},
+    double **by_end[] = {&f->q, &f->qd, &f->acceleration, &f->work[0], &f->work[1], &f->work[2], &f->moved},
            **single[] = {&f->gap, &f->ground, &f->after};
-    size_t ends = m->couples ? 6 : 3, singles = sizeof single / sizeof *single;
+    size_t ends = m->couples ? 7 : 3, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
         by_mode[count++] = &f->tables.e[i];
         by_mode[count++] = &f->tables.p[i];

@@ -46,7 +46,7 @@ struct thud_free_vibration {
     double dt_s;
     struct thud_free_vibration_tables tables;
     struct thud_coupled_motion *coupled; /* (nsystems) of those whose damping couples modes; size 0: another */
-    double *bound;                       /* (nsystems x 7) of the derivatives of such a system in a block, by order */
+    double *bound; /* (nsystems x 7) of the derivatives of such a system in a block, by order; NaN: not yet made */
 
     struct thud_free_vibration_series series;
 
@@ -55,7 +55,8 @@ struct thud_free_vibration {
     bool shifted;         /* it is not 0 */
     double *q, *qd;       /* (n x ENDS) modal state */
     double *acceleration; /* (n x ENDS) of the modes without the ground's, where values have it */
-    double *work[3];      /* (n x ENDS) workspace where damping couples modes */
+    double *work[3];      /* (n x ENDS) derivatives of the last orders that are bounded, where damping couples modes */
+    double *moved;        /* (n x ENDS) workspace there */
     double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
     int summed;
     double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */
@@ -63,7 +64,7 @@ struct thud_free_vibration {
     double *gap;                          /* (ENDS) */
     double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
     double ground_most, slope;            /* largest sizes in the block of it and of its rate */
-    double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
+    double *margin; /* (QUANTITIES x nstructures): thud_free_vibration_margin; NaN: not yet made */
     double *speed;  /* (n) largest sqrt(q'^2 + omega^2 (q - s)^2) of a mode in the block */
     double *limit;  /* (ncontacts) gap above which a contact may close in an interval of the block */
     bool *near;     /* (ncontacts) whether it may in the interval looked at */
@@ -98,6 +99,13 @@ double thud_free_vibration_bend(struct thud_free_vibration *f, const struct thud
  * (or + D q'), whose derivatives have the bounds of two orders more. */
 double thud_free_vibration_floor_bend(struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                       int quantity, int more);
+/* How far a quantity of any floor may lie above its values at the ends inside an interval. */
+double thud_free_vibration_margin(struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                  int quantity);
+/* Where damping couples modes, what the size of all modes' velocities, sqrt(sum q'^2), or of their total accelerations,
+ * sqrt(sum (q'' + gamma a_g)^2), can come to inside the intervals. */
+double thud_free_vibration_size(struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                int quantity);
 /* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside
  * an interval may lie above those at its ends. */
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,

@@ -281,7 +281,7 @@ static void sum_coupled(const struct thud_free_vibration *f, int system, int int
 {
     struct thud_coupled_motion *c = &f->coupled[system];
     const int row = c->first_mode * ENDS;
-    thud_coupled_motion_sum(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->work[2] + row, f->ground,
+    thud_coupled_motion_sum(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->moved + row, f->ground,
                             f->after, intervals);
 }
 

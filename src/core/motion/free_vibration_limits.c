@@ -25,7 +25,7 @@
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
-enum { BOUNDS = THUD_FREE_VIBRATION_BOUNDS, LAZY = 5 }; /* orders from LAZY on are made when asked for */
+enum { BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
 
 /* Bounds of the derivatives of order 2 or more of two modes, or one, in the block. */
 static thud_vec2 mode_bounds(const struct thud_free_vibration *f, const struct thud_model *m, int j, bool single,
@@ -44,50 +44,55 @@ static thud_vec2 mode_bounds(const struct thud_free_vibration *f, const struct t
     return bound;
 }
 
+/* Size of a ground acceleration of 1 in modal coordinates. */
+static double ground_size(const struct thud_model *m, const struct thud_model_structure *p)
+{
+    return sqrt(thud_dot(p->modes, m->gamma + p->first_mode, m->gamma + p->first_mode));
+}
+
 /* The same of a system whose damping couples its modes, by the energy norm of each derivative: with a_g a straight line
  *
  *     y_k = (Omega d^k q, d^(k+1) q),   d|y_k|/dt <= |gamma da_g/dt| for k = 1, and 0 from there on,
  *
  * whatever the damping, as that only takes energy. So the norms at the starts of the intervals are all that is needed.
- * Orders from..to - 1; no number yet of those above. */
-static void system_bounds(struct thud_free_vibration *f, const struct thud_model *m, int system, int from, int to)
+ * Of order k, out of those of the two orders below. */
+static double make_bound(struct thud_free_vibration *f, const struct thud_model *m, int system, int k)
 {
     const struct thud_model_structure *p = &m->structure[m->system[system]];
     const int intervals = f->ends - 1;
-    for (int k = from; k < BOUNDS; k++) {
-        const double level = k == 2, slopes = k == 3 ? 1 / f->dt_s : 0; /* how the ground enters */
-        const double *x = k == 2   ? f->q
-                          : k == 3 ? f->qd
-                                   : f->work[(k - 2) % 3],
-                     *v = k == 2 ? f->qd : f->work[(k - 1) % 3];
-        double *out = f->work[k % 3], norm[ENDS] = {0};
-        f->bound[system * BOUNDS + k] = NAN;
-        if (k >= to)
-            continue;
-        thud_free_vibration_spring(f, m, p, x, v, k == 2, out);
-        for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
-            for (int t = 0; t < intervals; t += 2) {
-                double *at = out + j * ENDS + t;
-                const thud_vec2 a0 = thud_vec2_at(f->ground + t), rate = thud_vec2_at(v + j * ENDS + t),
-                                ground = level * a0 + slopes * (thud_vec2_at(f->after + t) - a0),
-                                second = thud_vec2_at(at) - m->gamma[j] * ground;
-                thud_vec2_put(second, at);
-                thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
-            }
-        f->bound[system * BOUNDS + k] = sqrt(thud_largest(norm, intervals));
-    }
+    const double level = k == 2, slopes = k == 3 ? 1 / f->dt_s : 0; /* how the ground enters */
+    const double *x = k == 2 ? f->q : k == 3 ? f->qd : f->work[(k - 2) % 3], *v = k == 2 ? f->qd : f->work[(k - 1) % 3];
+    double *out = f->work[k % 3], norm[ENDS] = {0};
+    thud_free_vibration_spring(f, m, p, x, v, k == 2, out);
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
+        for (int t = 0; t < intervals; t += 2) {
+            double *at = out + j * ENDS + t;
+            const thud_vec2 a0 = thud_vec2_at(f->ground + t), rate = thud_vec2_at(v + j * ENDS + t),
+                            ground = level * a0 + slopes * (thud_vec2_at(f->after + t) - a0),
+                            second = thud_vec2_at(at) - m->gamma[j] * ground;
+            thud_vec2_put(second, at);
+            thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
+        }
+    return sqrt(thud_largest(norm, intervals)) + level * ground_size(m, p) * f->dt_s * f->slope;
+}
+
+/* Made where it is asked for. */
+static double bound_of(struct thud_free_vibration *f, const struct thud_model *m, int system, int order)
+{
+    double *bound = f->bound + system * BOUNDS;
+    for (int k = 2; k <= order; k++)
+        if (isnan(bound[k]))
+            bound[k] = make_bound(f, m, system, k);
+    return bound[order];
 }
 
 double thud_free_vibration_bend(struct thud_free_vibration *f, const struct thud_model *m, int structure,
                                 const double *row, int order)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const double *bound = f->bound + p->system * BOUNDS;
     thud_vec2 sum = {0, 0};
-    if (p->damping && isnan(bound[order]))
-        system_bounds(f, m, p->system, LAZY, BOUNDS);
     if (p->damping)
-        return sqrt(thud_dot(p->modes, row, row)) * bound[order];
+        return sqrt(thud_dot(p->modes, row, row)) * bound_of(f, m, p->system, order);
     for (int j = 0; j < p->modes; j += 2) {
         const bool single = j + 1 == p->modes;
         sum += thud_vec2_abs(thud_vec2_some(row + j, single)) * mode_bounds(f, m, p->first_mode + j, single, order);
@@ -108,17 +113,27 @@ void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thu
     f->slope = 0;
     for (int t = 0; t < intervals; t++)
         f->slope = thud_larger(f->slope, fabs(f->after[t] - f->ground[t]) / f->dt_s);
-    for (int s = 0; s < m->nsystems; s++) {
-        const struct thud_model_structure *p = &m->structure[m->system[s]];
-        const double *gamma = m->gamma + p->first_mode;
-        if (!p->damping)
-            continue;
-        system_bounds(f, m, s, 2, LAZY);
-        f->bound[s * BOUNDS + 2] += sqrt(thud_dot(p->modes, gamma, gamma)) * f->dt_s * f->slope;
-    }
-    for (int s = 0; s < m->nstructures; s++)
-        for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-            f->margin[x * m->nstructures + s] = thud_free_vibration_floor_bend(f, m, s, x, 2) * f->dt_s * f->dt_s / 8;
+    for (int i = 0; i < BOUNDS * m->nsystems; i++)
+        f->bound[i] = NAN;
+    for (int i = 0; i < THUD_FLOOR_QUANTITIES * m->nstructures; i++)
+        f->margin[i] = NAN;
+}
+
+double thud_free_vibration_margin(struct thud_free_vibration *f, const struct thud_model *m, int structure,
+                                  int quantity)
+{
+    double *margin = &f->margin[quantity * m->nstructures + structure];
+    if (isnan(*margin))
+        *margin = thud_free_vibration_floor_bend(f, m, structure, quantity, 2) * f->dt_s * f->dt_s / 8;
+    return *margin;
+}
+
+double thud_free_vibration_size(struct thud_free_vibration *f, const struct thud_model *m, int structure, int quantity)
+{
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *speed = f->speed + p->first_mode, ground = ground_size(m, p) * f->ground_most;
+    return quantity == THUD_FLOOR_VELOCITY ? sqrt(thud_dot(p->modes, speed, speed)) + f->dt_s * ground
+                                           : bound_of(f, m, p->system, 2) + ground;
 }
 
 /* Whether contact c closes in the piece of the segment. At the very start of the block a contact may have just opened: so
@@ -159,7 +174,7 @@ double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud
 {
     thud_free_vibration_values(f, model, side->structure, THUD_FLOOR_DISPLACEMENT);
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
-    *margin = f->margin[side->structure];
+    *margin = thud_free_vibration_margin(f, model, side->structure, THUD_FLOOR_DISPLACEMENT);
     for (int t = 0; t < ends; t++)
         f->gap[t] = fabs(side_value(side, u + t));
     return thud_largest(f->gap, ends);
@@ -167,10 +182,10 @@ double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud
 
 /* How far the displacement of one side less that of the other, also of what lies between two floors, may lie above its
  * values at the ends. */
-static double gap_margin(const struct thud_free_vibration *f, const struct thud_model_contact *p)
+static double gap_margin(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_contact *p)
 {
-    return (p->left_dof < 0 ? 0 : f->margin[p->left.structure]) +
-           (p->right_dof < 0 ? 0 : f->margin[p->right.structure]);
+    return (p->left_dof < 0 ? 0 : thud_free_vibration_margin(f, m, p->left.structure, THUD_FLOOR_DISPLACEMENT)) +
+           (p->right_dof < 0 ? 0 : thud_free_vibration_margin(f, m, p->right.structure, THUD_FLOOR_DISPLACEMENT));
 }
 
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,
@@ -178,7 +193,7 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
 {
     const struct thud_model_contact *p = &model->contact[c];
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
-    *margin = gap_margin(f, p);
+    *margin = gap_margin(f, model, p);
     if (p->left_dof >= 0)
         thud_free_vibration_values(f, model, p->left.structure, THUD_FLOOR_DISPLACEMENT);
     if (p->right_dof >= 0)
@@ -205,7 +220,7 @@ static bool set_limits(struct thud_free_vibration *f, const struct thud_state *s
     bool any = false;
     for (int c = 0; c < state->model->ncontacts; c++) {
         const struct thud_model_contact *p = &state->model->contact[c];
-        const double limit = thud_state_clearance(state, c) - gap_margin(f, p);
+        const double limit = thud_state_clearance(state, c) - gap_margin(f, state->model, p);
         double margin;
         f->limit[c] = INFINITY;
         if (p->law->flags & THUD_LAW_NO_FORCE || gap_bound(f, state->model, c) <= limit)
@@ -269,11 +284,11 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
 }
 
 /* How far the drift of storey k may lie above its values at the ends: a link's is of two floors far apart. */
-static double drift_margin(const struct thud_free_vibration *f, const struct thud_model *m, int k)
+static double drift_margin(struct thud_free_vibration *f, const struct thud_model *m, int k)
 {
     const struct thud_model_storey *storey = &m->storey[k];
-    return storey->link < 0 ? f->margin[THUD_FLOOR_DRIFT * m->nstructures + storey->structure]
-                            : gap_margin(f, &m->contact[m->ncontacts + k]);
+    return storey->link < 0 ? thud_free_vibration_margin(f, m, storey->structure, THUD_FLOOR_DRIFT)
+                            : gap_margin(f, m, &m->contact[m->ncontacts + k]);
 }
 
 /* Its drift less what is plastic at the ends into f->gap; the largest. */
@@ -312,8 +327,8 @@ int thud_free_vibration_until_collapse(struct thud_free_vibration *f, const stru
     const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures && m->collapses; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        const double margin = f->margin[THUD_FLOOR_DRIFT * m->nstructures + s] +
-                              (p->rise ? f->margin[THUD_FLOOR_DISPLACEMENT * m->nstructures + s] : 0);
+        const double margin = thud_free_vibration_margin(f, m, s, THUD_FLOOR_DRIFT) +
+                              (p->rise ? thud_free_vibration_margin(f, m, s, THUD_FLOOR_DISPLACEMENT) : 0);
         double sum = margin;
         for (int j = p->first_mode; p->collapse_m && j < p->first_mode + p->modes; j++)
             sum += thud_model_most_lean(m, p, j) * (f->speed[j] / m->omega[j] + fabs(f->shift[j]));

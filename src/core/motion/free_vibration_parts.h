@@ -26,7 +26,7 @@ void thud_free_vibration_spring(const struct thud_free_vibration *f, const struc
                                 const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
                                 double *out);
 
-/* free_vibration_limits.c: fills f->margin; intervals until a contact closes, or a storey yields or may collapse, at most `intervals`. */
+/* free_vibration_limits.c: no bound is made yet; intervals until a contact closes, or a storey yields or may collapse, at most `intervals`. */
 void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
 int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals);

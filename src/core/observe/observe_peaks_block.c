@@ -28,25 +28,34 @@ static void bound_modes(struct thud_peaks *peaks, const struct thud_model *m, co
     const double *speed = f->speed + p->first_mode;
     for (int j = 0; j < p->modes; j++) {
         const double w = m->omega[p->first_mode + j], z = m->dashpot[p->first_mode + j];
-        double coupled = 0, *out = peaks->modal + j;
-        for (int i = 0; p->damping && i < p->modes; i++)
-            coupled += fabs(p->damping[j * p->modes + i]) * speed[i];
+        double *out = peaks->modal + j;
         out[THUD_FLOOR_DISPLACEMENT * peaks->stride] = speed[j] / w + fabs(f->shift[p->first_mode + j]);
         out[THUD_FLOOR_VELOCITY * peaks->stride] = speed[j];
-        out[THUD_FLOOR_ACCELERATION * peaks->stride] = sqrt(w * w + z * z) * speed[j] + coupled;
+        out[THUD_FLOOR_ACCELERATION * peaks->stride] = sqrt(w * w + z * z) * speed[j];
     }
 }
 
-/* The same of one quantity of the floors, out (stride), two at a time. */
-static void bound_floors(const struct thud_peaks *peaks, const struct thud_model *m,
-                         const struct thud_model_structure *p, int quantity, double *out)
+/* What one quantity of the floors can come to inside the intervals, out (stride), two at a time: by the modes, and by how
+ * far a value may lie above its ends. Where damping couples modes that bound has its price for rates: these are, by
+ * Cauchy and Schwarz, at most the floor's norm over the modes times their size. */
+static void bound_floors(const struct thud_peaks *peaks, const struct thud_model *m, struct thud_free_vibration *f,
+                         int structure, int quantity, double *out)
 {
-    const bool drift = quantity == THUD_FLOOR_DRIFT;
+    const struct thud_model_structure *p = &m->structure[structure];
+    const bool drift = quantity == THUD_FLOOR_DRIFT, rate = !drift && quantity != THUD_FLOOR_DISPLACEMENT;
     const int stride = peaks->stride;
     const double *shape = peaks->shape + ((drift ? m->nshapes : 0) + p->first_shape) * stride,
-                 *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
+                 *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride,
+                 *norm = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof + p->first;
+    if (p->damping && rate) {
+        const double size = thud_free_vibration_size(f, m, structure, quantity);
+        for (int i = 0; i < p->dofs; i++)
+            out[i] = norm[i] * size;
+        return;
+    }
+    const double margin = thud_free_vibration_margin(f, m, structure, quantity);
     for (int i = 0; i < p->dofs; i += 2) {
-        thud_vec2 sum = {0};
+        thud_vec2 sum = {margin, margin};
         for (int j = 0; j < p->modes; j++)
             sum += modes[j] * thud_vec2_abs(thud_vec2_at(shape + j * stride + i));
         thud_vec2_put(sum, out + i);
@@ -166,12 +175,12 @@ static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, s
     const struct thud_model_structure *p = &m->structure[structure];
     int rows = 0, list[THUD_FREE_VIBRATION_BLOCK];
     for (int x = 0; x < (p->drifts ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
-        const double margin = f->margin[x * m->nstructures + structure];
-        bound_floors(peaks, m, p, x, peaks->value);
+        bound_floors(peaks, m, f, structure, x, peaks->value);
         for (int i = 0; i < (x == THUD_FLOOR_DISPLACEMENT ? p->dofs : p->n); i++) {
             struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
-            if (peaks->value[i] + margin <= peak->value)
+            if (peaks->value[i] <= peak->value)
                 continue;
+            const double margin = thud_free_vibration_margin(f, m, structure, x);
             thud_free_vibration_values(f, m, structure, x);
             struct thud_peak_row *row = &peaks->row[rows];
             double *upper = peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK;

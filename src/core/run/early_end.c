@@ -94,7 +94,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
         for (int i = 0; i < h->floors; i++)
             value[x * h->floors + i] = thud_largest_size(f->value[x] + i * ENDS, intervals + 1) +
-                                       f->margin[x * m->nstructures + m->dof_structure[i]];
+                                       thud_free_vibration_margin(f, m, m->dof_structure[i], x);
     for (int c = 0; c < h->nc; c++) {
         double margin, most = thud_free_vibration_gap(f, m, c, intervals + 1, &margin);
         relative[c] = most + margin;
