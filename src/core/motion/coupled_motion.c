@@ -58,9 +58,8 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
     for (int i = 0; c->link && i < m->nlinks; i++)
         if (dashpot_acts(m, i, p->system))
             c->link[c->links++] = i;
-    c->block =
-        calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n + 2 * n,
-               sizeof *c->block);
+    c->block = calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n,
+                      sizeof *c->block);
     part->block = calloc(2 * size * size + POINTS * n * size + 2 * (size_t)m->nmodes, sizeof *part->block);
     if (!c->link || !c->block || !part->block) {
         free(part->block);
@@ -73,8 +72,7 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
     c->work[1] = c->work[0] + size;
     c->now = c->work[1] + size;
     c->by_floor = c->now + 2 * size;
-    c->shift = c->by_floor + (size_t)floors_of(m, p) * n;
-    c->input = c->shift + 2 * n;
+    c->input = c->by_floor + (size_t)floors_of(m, p) * n;
     c->product = c->input + size * size;
     part->flow = part->block;
     part->temp = part->flow + size * size;
@@ -235,62 +233,49 @@ void thud_coupled_motion_clear(struct thud_coupled_motion *motion)
     *motion = (struct thud_coupled_motion){0};
 }
 
-void thud_coupled_motion_shift(struct thud_coupled_motion *c, const double *s)
-{
-    memset(c->shift, 0, 2 * (size_t)c->n * sizeof *c->shift);
-    memcpy(c->shift, s, (size_t)c->n * sizeof *s);
-    thud_add_rows(2 * c->n, c->n, -1, s, c->step, c->shift);
-}
-
-void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, int apart, const double *ground,
-                                 const double *after, int intervals)
+void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, int apart,
+                                 const double *ground, const double *after, int intervals)
 {
     const int n = c->n;
     double *now = c->now, *next = now + c->size;
     c->summed = 0;
     for (int j = 0; j < n; j++) {
-        now[j] = q[j * apart];
+        now[j] = q[j * apart] - s[j];
         now[n + j] = qd[j * apart];
     }
     for (int t = 0; t < intervals; t++) {
         now[2 * n] = ground[t];
         now[2 * n + 1] = after[t] - ground[t];
-        memcpy(next, c->shift, 2 * (size_t)n * sizeof *next);
+        memset(next, 0, 2 * (size_t)n * sizeof *next);
         thud_add_rows(2 * n, c->size, 1, now, c->step, next);
         for (int j = 0; j < n; j++) {
-            q[j * apart + t + 1] = now[j] = next[j];
+            q[j * apart + t + 1] = (now[j] = next[j]) + s[j];
             qd[j * apart + t + 1] = now[n + j] = next[n + j];
         }
     }
 }
 
-/* The sums over the intervals of the products of any two rows of x, each once, along the intervals: c->product. */
-static void sum_products(struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
-                         const double *ground, const double *after, int intervals)
+void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *q, const double *qd, const double *s,
+                             double *moved, int apart, const double *ground, const double *after, int intervals)
 {
     const int n = c->n, size = c->size;
-    for (int i = 0; i < size; i++) {
-        const double *a = i < n ? q + i * apart : i < 2 * n ? qd + (i - n) * apart : i == 2 * n ? ground : after;
-        for (int j = i; j < size; j++) {
-            const double *b = j < n ? q + j * apart : j < 2 * n ? qd + (j - n) * apart : j == 2 * n ? ground : after;
-            c->product[i * size + j] = thud_dot(intervals, a, b);
-        }
-    }
-}
-
-void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
-                             const double *s, double *moved, const double *ground, const double *after, int intervals)
-{
-    bool shifted = false;
     if (c->summed == intervals)
         return;
     c->summed = intervals;
-    for (int j = 0; j < c->n; j++)
-        shifted = shifted || s[j] != 0;
-    for (int j = 0; j < c->n && shifted; j++)
+    for (int j = 0; j < n; j++)
         for (int t = 0; t < intervals; t++)
             moved[j * apart + t] = q[j * apart + t] - s[j];
-    sum_products(c, shifted ? moved : q, qd, apart, ground, after, intervals);
+    for (int i = 0; i < size; i++) {
+        double *out = c->product + i * size;
+        const double *a = i < n ? moved + i * apart : i < 2 * n ? qd + (i - n) * apart : i == 2 * n ? ground : after;
+        const int rate = i < n ? 0 : i - n; /* of the rows behind q */
+        if (i < n)
+            thud_dots(intervals, a, a, apart, n - i, out + i);
+        if (i < 2 * n)
+            thud_dots(intervals, a, qd + rate * apart, apart, n - rate, out + n + rate);
+        out[2 * n] = thud_dot(intervals, a, ground);
+        out[2 * n + 1] = thud_dot(intervals, a, after);
+    }
 }
 
 /* A form in these sums. */

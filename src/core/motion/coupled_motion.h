@@ -26,7 +26,6 @@ struct thud_coupled_motion {
     int links, *link; /* (links) these links in the model */
     double *work[2];  /* (size) W_a, W_b */
     double *by_floor; /* (floors x n) all floors' rows of Phi times D */
-    double *shift;    /* (2 n) added by constant forces, which shift the place that the modes swing about */
     double *now;      /* (2 x size) */
     double *product;  /* (size x size) upper part of the sums of x x^T over the first `summed` intervals of a block */
     int summed;
@@ -38,16 +37,14 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
                                           int system, struct thud_segment *seg, struct thud_error *err);
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
 
-/* Sets `shift` for modes that rest at s (n) under the constant forces. */
-void thud_coupled_motion_shift(struct thud_coupled_motion *motion, const double *s);
-/* Rows of q and qd (n), `apart` doubles each, from their first value on, under the ground accelerations at the start
- * and at the end of each interval. */
-void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, int apart,
+/* Rows of q and qd (n), `apart` doubles each, from their first value on, under the ground accelerations at the start and at the
+ * end of each interval, and constant forces under which the modes rest at s (n). */
+void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, const double *s, int apart,
                                  const double *ground, const double *after, int intervals);
-/* Sums over the intervals of the same rows, where the modes rest at s, of which the following are made; once after each
- * advance. moved (n rows as q) is workspace. */
-void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *q, const double *qd, int apart,
-                             const double *s, double *moved, const double *ground, const double *after, int intervals);
+/* Sums over the intervals of the same rows, of which the following are made; once after each advance. moved (n rows as q)
+ * is workspace. */
+void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *q, const double *qd, const double *s,
+                             double *moved, int apart, const double *ground, const double *after, int intervals);
 /* Loss in the dashpot of the link whose index in the model is this; 0 where it has none. */
 double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link);
 /* Adds work of the ground and loss in damping. */

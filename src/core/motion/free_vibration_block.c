@@ -51,15 +51,18 @@ static inline void batched_recurrence(struct thud_free_vibration *f, int j, cons
     }
 }
 
-/* All modes; the last batch may be half empty. */
+/* All modes but those that damping couples, which have no tables; the last batch may be half empty. */
 static inline void recurrence(struct thud_free_vibration *f, int intervals, bool shifted)
 {
     enum { N = THUD_FREE_VIBRATION_BATCH };
-    int j = 0;
-    for (; j + N / 2 < f->n; j += N)
-        batched_recurrence(f, j, N, intervals, shifted);
-    if (j < f->n)
-        batched_recurrence(f, j, N / 2, intervals, shifted);
+    for (int j = 0; j < f->n; j += N) {
+        if (thud_largest_size(f->tables.e[0] + j, N) == 0)
+            continue;
+        if (j + N / 2 < f->n)
+            batched_recurrence(f, j, N, intervals, shifted);
+        else
+            batched_recurrence(f, j, N / 2, intervals, shifted);
+    }
 }
 
 /* Where the modes would rest under the constant forces: s = -g F/omega^2. */
@@ -75,9 +78,6 @@ static void shift_modes(struct thud_free_vibration *f, const struct thud_state *
             f->shift[j] -= m->jacobian[c * f->n + j] * thud_row_branch(state, c)->f0_n;
     for (int j = 0; j < f->n; j++)
         f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
-    for (int s = 0; s < m->nsystems; s++)
-        if (f->coupled[s].size > 0)
-            thud_coupled_motion_shift(&f->coupled[s], f->shift + f->coupled[s].first_mode);
 }
 
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
@@ -95,9 +95,10 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
     else
         recurrence(f, intervals, false);
     for (int s = 0; s < f->nsystems; s++) {
-        const int row = f->coupled[s].first_mode * ENDS;
+        const int first = f->coupled[s].first_mode, row = first * ENDS;
         if (f->coupled[s].size > 0)
-            thud_coupled_motion_advance(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
+            thud_coupled_motion_advance(&f->coupled[s], f->q + row, f->qd + row, f->shift + first, ENDS, f->ground,
+                                        f->after, intervals);
     }
     memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
     memset(f->series.has, 0, (size_t)f->nsystems * sizeof *f->series.has);
@@ -281,7 +282,7 @@ static void sum_coupled(const struct thud_free_vibration *f, int system, int int
 {
     struct thud_coupled_motion *c = &f->coupled[system];
     const int row = c->first_mode * ENDS;
-    thud_coupled_motion_sum(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->moved + row, f->ground,
+    thud_coupled_motion_sum(c, f->q + row, f->qd + row, f->shift + c->first_mode, f->moved + row, ENDS, f->ground,
                             f->after, intervals);
 }
 

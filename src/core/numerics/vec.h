@@ -114,7 +114,7 @@ static inline void thud_dots(int n, const double *a, const double *b, int apart,
 static inline void thud_add_pairs(int apart, int count, double factor, const double *x, const double *a, double *out,
                                   const int pairs)
 {
-    thud_vec2 sum[4] = {0};
+    thud_vec2 sum[8] = {0};
     for (int k = 0; k < count; k++, a += apart)
         for (int i = 0; i < pairs; i++)
             sum[i] += x[k] * thud_vec2_at(a + 2 * i);
@@ -126,6 +126,8 @@ static inline void thud_add_pairs(int apart, int count, double factor, const dou
 static inline void thud_add_rows(int n, int count, double factor, const double *x, const double *a, double *out)
 {
     int i = 0;
+    for (; i + 16 <= n; i += 16)
+        thud_add_pairs(n, count, factor, x, a + i, out + i, 8);
     for (; i + 8 <= n; i += 8)
         thud_add_pairs(n, count, factor, x, a + i, out + i, 4);
     if (i + 6 <= n)
