@@ -7,7 +7,7 @@
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
 
-enum { POINTS = THUD_QUADRATURE_POINTS };
+enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 19 }; /* 1/19! is below rounding */
 
 /* Longest part of the interval that the series are made of, by the fastest rate. */
 static const double longest_rad = 1;
@@ -24,13 +24,20 @@ static void add_product(int rows, int inner, int columns, double scale, const do
         }
 }
 
+static void add(int n, double factor, const double *x, double *out)
+{
+    for (int i = 0; i < n; i++)
+        out[i] += factor * x[i];
+}
+
 /* What is made of one part of the interval, and doubled. */
 struct part {
     double h_s, dt_s;
-    double *flow;  /* (size x size) */
-    double *rates; /* (POINTS x n x size) q' at the quadrature points, by the x at the start */
-    double *modal; /* (2 x nmodes) one unit motion */
-    double *temp;  /* (size x size) */
+    double *damping; /* (n x n) D */
+    double *rate;    /* (size x size) A */
+    double *flow;    /* (size x size) */
+    double *rates;   /* (POINTS x n x size) q' at the quadrature points, by the x at the start */
+    double *temp;    /* (2 x size x size) */
     double *block;
 };
 
@@ -49,18 +56,13 @@ static bool dashpot_acts(const struct thud_model *m, int link, int system)
     return p->contact < 0 && p->damping_nspm != 0 && m->structure[p->structure].system == system;
 }
 
-static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, const struct thud_model *m,
-                                 const struct thud_model_structure *p, struct thud_error *err)
+/* floors: how many have rows in by_floor. */
+static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, int floors, struct thud_error *err)
 {
-    size_t n = (size_t)p->modes, size = 2 * n + 2;
-    *c = (struct thud_coupled_motion){.n = p->modes, .size = (int)size, .first_mode = p->first_mode};
-    c->link = calloc((size_t)m->nlinks + 1, sizeof *c->link);
-    for (int i = 0; c->link && i < m->nlinks; i++)
-        if (dashpot_acts(m, i, p->system))
-            c->link[c->links++] = i;
-    c->block = calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n,
-                      sizeof *c->block);
-    part->block = calloc(2 * size * size + POINTS * n * size + 2 * (size_t)m->nmodes, sizeof *part->block);
+    const size_t n = (size_t)c->n, size = (size_t)c->size;
+    c->block =
+        calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 4 * size + (size_t)floors * n, sizeof *c->block);
+    part->block = calloc(n * n + 4 * size * size + POINTS * n * size, sizeof *part->block);
     if (!c->link || !c->block || !part->block) {
         free(part->block);
         thud_coupled_motion_clear(c);
@@ -72,54 +74,63 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
     c->work[1] = c->work[0] + size;
     c->now = c->work[1] + size;
     c->by_floor = c->now + 2 * size;
-    c->input = c->by_floor + (size_t)floors_of(m, p) * n;
+    c->input = c->by_floor + (size_t)floors * n;
     c->product = c->input + size * size;
     part->flow = part->block;
-    part->temp = part->flow + size * size;
-    part->rates = part->temp + size * size;
-    part->modal = part->rates + POINTS * n * size;
+    part->rate = part->flow + size * size;
+    part->temp = part->rate + size * size;
+    part->rates = part->temp + 2 * size * size;
+    part->damping = part->rates + POINTS * n * size;
     return THUD_OK;
 }
 
-/* Motions from each unit x: columns of the flow, and the rates on the way. */
-static void unit_motions(const struct thud_coupled_motion *c, struct part *part, const struct thud_state *state,
-                         int structure, struct thud_segment *seg)
+/* D and A. */
+static void fill_rate(const struct thud_coupled_motion *c, struct part *part, const struct thud_model *m,
+                      const struct thud_model_structure *p)
 {
-    const struct thud_model *m = state->model;
-    const int n = c->n, size = c->size, first = m->structure[structure].first_mode;
-    double *q = part->modal, *qd = q + m->nmodes;
-    for (int u = 0; u < size; u++) {
-        memset(q, 0, 2 * (size_t)m->nmodes * sizeof *q);
-        if (u < 2 * n)
-            (u < n ? q : qd)[first + u % n] = 1;
-        thud_segment_begin(state, seg, part->h_s, thud_segment_all_terms(state, part->h_s));
-        seg->a0 = u == 2 * n;
-        seg->a1 = u == 2 * n + 1 ? part->h_s / part->dt_s : 0;
-        thud_taylor_structure(m, seg, structure, q, qd);
-        for (int i = 0; i <= POINTS; i++) {
-            thud_segment_state(seg, m->nmodes, i < POINTS ? thud_quadrature_node[i] : 1, q, qd);
-            for (int j = 0; j < n && i < POINTS; j++)
-                part->rates[(i * n + j) * size + u] = qd[first + j];
-        }
-        for (int j = 0; j < n; j++) {
-            part->flow[j * size + u] = q[first + j];
-            part->flow[(n + j) * size + u] = qd[first + j];
-        }
+    const int n = c->n, size = c->size, first = c->first_mode;
+    for (int i = 0; i < n; i++) {
+        double *row = part->rate + (n + i) * size, *damping = part->damping + i * n;
+        for (int j = 0; j < n && p->damping; j++)
+            damping[j] = p->damping[i * n + j];
+        damping[i] += m->dashpot[first + i];
+        for (int j = 0; j < n; j++)
+            row[n + j] = -damping[j];
+        part->rate[i * size + n + i] = 1;
+        row[i] = -m->spring[first + i];
+        row[2 * n] = -m->gamma[first + i];
     }
-    part->flow[2 * n * size + 2 * n] = part->flow[size * size - 1] = 1;
-    part->flow[2 * n * size + 2 * n + 1] = part->h_s / part->dt_s;
+    part->rate[2 * n * size + 2 * n + 1] = 1 / part->dt_s;
+}
+
+/* The flow, sum of (A h)^k/k!, and the rates on the way, sums of s^k (A h)^k/k!. */
+static void fill_flow(const struct thud_coupled_motion *c, struct part *part)
+{
+    const int n = c->n, size = c->size, all = size * size;
+    double *term = part->temp, *next = term + all, power[POINTS];
+    for (int i = 0; i < size; i++)
+        term[i * size + i] = 1;
+    for (int i = 0; i < POINTS; i++)
+        power[i] = 1;
+    for (int k = 0; k < TERMS; k++) {
+        add(all, 1, term, part->flow);
+        for (int i = 0; i < POINTS; power[i] *= thud_quadrature_node[i], i++)
+            add(n * size, power[i], term + n * size, part->rates + i * n * size);
+        memset(next, 0, (size_t)all * sizeof *next);
+        add_product(size, size, size, part->h_s / (k + 1), part->rate, false, term, next);
+        memcpy(term, next, (size_t)all * sizeof *term);
+    }
 }
 
 /* L, of it the links' parts, and W of the part, by quadrature. */
-static void add_forms(struct thud_coupled_motion *c, struct part *part, const struct thud_model *m,
-                      const struct thud_model_structure *p)
+static void add_forms(struct thud_coupled_motion *c, struct part *part, const struct thud_model *m)
 {
     const int n = c->n, size = c->size;
-    const double *gamma = m->gamma + p->first_mode;
+    const double *gamma = m->gamma + c->first_mode;
     for (int i = 0; i < POINTS; i++) {
         const double *rate = part->rates + i * n * size, weight = thud_quadrature_weight[i] * part->h_s;
         memset(part->temp, 0, (size_t)n * (size_t)size * sizeof *part->temp);
-        add_product(n, n, size, weight, p->damping, false, rate, part->temp);
+        add_product(n, n, size, weight, part->damping, false, rate, part->temp);
         add_product(size, n, size, 1, rate, true, part->temp, c->loss);
         for (int l = 0; l < c->links; l++) {
             const struct thud_model_link *link = &m->link[c->link[l]];
@@ -198,28 +209,34 @@ static void double_upper_part(struct thud_coupled_motion *c)
 }
 
 enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
-                                          int system, struct thud_segment *seg, struct thud_error *err)
+                                          int system, int mode, struct thud_error *err)
 {
     const struct thud_model *m = state->model;
-    const int structure = m->system[system];
-    const struct thud_model_structure *p = &m->structure[structure];
+    const struct thud_model_structure *p = &m->structure[m->system[system]];
+    const int n = mode < 0 ? p->modes : 1, floors = mode < 0 ? floors_of(m, p) : 0;
     struct part part = {.dt_s = state->grid_dt_s};
-    enum thud_status status = allocate(motion, &part, m, p, err);
+    *motion = (struct thud_coupled_motion){.n = n, .size = 2 * n + 2, .first_mode = mode < 0 ? p->first_mode : mode};
+    motion->link = calloc((size_t)m->nlinks + 1, sizeof *motion->link);
+    for (int i = 0; motion->link && mode < 0 && i < m->nlinks; i++)
+        if (dashpot_acts(m, i, system))
+            motion->link[motion->links++] = i;
+    enum thud_status status = allocate(motion, &part, floors, err);
     if (status != THUD_OK)
         return status;
     int doublings = 0;
     while (ldexp(state->fastest_radps * part.dt_s, -doublings) > longest_rad)
         doublings++;
     part.h_s = ldexp(part.dt_s, -doublings);
-    unit_motions(motion, &part, state, structure, seg);
-    add_forms(motion, &part, m, p);
+    fill_rate(motion, &part, m, p);
+    fill_flow(motion, &part);
+    add_forms(motion, &part, m);
     for (int i = 0; i < doublings; i++)
         double_part(motion, &part);
-    for (int i = 0; i < 2 * motion->n; i++)
+    for (int i = 0; i < 2 * n; i++)
         for (int j = 0; j < motion->size; j++)
-            motion->step[j * 2 * motion->n + i] = part.flow[i * motion->size + j];
+            motion->step[j * 2 * n + i] = part.flow[i * motion->size + j];
     memset(motion->now, 0, 2 * (size_t)motion->size * sizeof(double));
-    add_product(floors_of(m, p), p->modes, p->modes, 1, p->phi, false, p->damping, motion->by_floor);
+    add_product(floors, n, n, 1, p->phi, false, part.damping, motion->by_floor);
     finish_forms(motion);
     double_upper_part(motion);
     free(part.block);

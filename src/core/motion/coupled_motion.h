@@ -32,9 +32,9 @@ struct thud_coupled_motion {
     double *block;
 };
 
-/* Of the structures of one system. `seg` is a workspace. Errors: THUD_MEMORY; nothing stays allocated then. */
+/* Of the structures of one system; mode: -1, or this one of its modes alone. Errors: THUD_MEMORY; nothing stays allocated then. */
 enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
-                                          int system, struct thud_segment *seg, struct thud_error *err);
+                                          int system, int mode, struct thud_error *err);
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
 
 /* Rows of q and qd (n), `apart` doubles each, from their first value on, under the ground accelerations at the start and at the

@@ -31,10 +31,10 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
         by_mode[count++] = &f->tables.p[i];
         by_mode[count++] = &f->tables.work[i];
     }
-    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++) {
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
         by_mode[count++] = &f->tables.viscous[i];
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++) /* behind the tables */
         by_mode[count++] = &f->product[i];
-    }
     by_mode[count++] = &f->series.now;
     by_mode[count++] = &f->series.now_rate;
     by_mode[count++] = &f->speed;
@@ -69,23 +69,6 @@ static bool suits(const struct thud_state *state)
     return m->nmodes > 0 && !(m->couples && state->fastest_radps * state->grid_dt_s > coupled_most_rad);
 }
 
-/* The propagators of systems whose modes are coupled, in place of the recurrence. */
-static enum thud_status couple(struct thud_free_vibration *f, const struct thud_state *state, struct thud_error *err)
-{
-    enum thud_status status = THUD_OK;
-    for (int s = 0; s < state->model->nsystems && status == THUD_OK; s++) {
-        const struct thud_model_structure *p = &state->model->structure[state->model->system[s]];
-        if (!p->damping)
-            continue;
-        status = thud_coupled_motion_init(&f->coupled[s], state, s, &f->series.seg, err);
-        for (int k = 0; k < 4; k++) {
-            memset(f->tables.e[k] + p->first_mode, 0, (size_t)p->modes * sizeof(double));
-            memset(f->tables.p[k] + p->first_mode, 0, (size_t)p->modes * sizeof(double));
-        }
-    }
-    return status;
-}
-
 enum thud_status thud_free_vibration_create(const struct thud_state *state, const struct thud_free_vibration *like,
                                             struct thud_free_vibration **out, struct thud_error *err)
 {
@@ -104,13 +87,9 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
         f->pieces = 1 + (int)(state->fastest_radps * f->dt_s / THUD_SEGMENT_ANGLE);
         f->size = THUD_FREE_VIBRATION_BLOCK;
         f->nsystems = m->nsystems;
-        if (like && thud_free_vibration_has_tables(like, f, state))
-            thud_free_vibration_copy_tables(f, like);
-        else
+        if (!like || !thud_free_vibration_copy_tables(f, like))
             status = thud_free_vibration_make_tables(state, f, err);
     }
-    if (status == THUD_OK)
-        status = couple(f, state, err);
     if (status != THUD_OK) {
         thud_free_vibration_free(f);
         return status;

@@ -24,10 +24,10 @@ enum {
 struct thud_free_vibration_tables {
     double *e[4], *p[4]; /* (n) the recurrence */
     /* Damping loss over one interval, a quadratic form in (q, q', a0, a1): by mode, of q q, q q', q' q', q a0, q a1,
-     * q' a0, q' a1; the ground's own terms (a0 a0, a0 a1, a1 a1) summed over the modes */
-    double *viscous[THUD_FREE_VIBRATION_PRODUCTS], viscous_ground[3];
-    /* Work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') and the ground's own terms */
-    double *work[4], work_ground[3];
+     * q' a0, q' a1 */
+    double *viscous[THUD_FREE_VIBRATION_PRODUCTS];
+    double *work[4];     /* work of the ground: a0 (r[0] q + r[1] q') + a1 (r[2] q + r[3] q') */
+    double ground[2][3]; /* of both, what the ground alone adds, summed over the modes: a0 a0, a0 a1, a1 a1 */
 };
 
 /* The power series of one piece of one interval, and the systems whose it has. */

@@ -298,8 +298,8 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
         ground[2] += a1[t] * a1[t];
     }
     for (int i = 0; i < 3; i++) {
-        viscous += f->tables.viscous_ground[i] * ground[i];
-        input += f->tables.work_ground[i] * ground[i];
+        viscous += f->tables.ground[0][i] * ground[i];
+        input += f->tables.ground[1][i] * ground[i];
     }
     for (int j = 0; j < f->n; j++) {
         if (f->summed != intervals)

@@ -11,11 +11,8 @@ enum {
 /* free_vibration_tables.c. Errors: THUD_MEMORY. */
 enum thud_status thud_free_vibration_make_tables(const struct thud_state *state, struct thud_free_vibration *f,
                                                  struct thud_error *err);
-/* Whether the tables of `like` are those of f, to the last bit: no modes are coupled, and no contact is closed, whose
- * rate would give the series more terms. */
-bool thud_free_vibration_has_tables(const struct thud_free_vibration *like, const struct thud_free_vibration *f,
-                                    const struct thud_state *state);
-void thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct thud_free_vibration *like);
+/* Takes those of `like` where they are the same to the last bit, and no modes are coupled; whether they are. */
+bool thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct thud_free_vibration *like);
 
 /* free_vibration_block.c: the modal states at the ends of the intervals from the state on; the sums of their products,
  * and the modes' largest speeds. */
