@@ -307,14 +307,6 @@ void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg,
     series_of(model, seg, &all, q, qd);
 }
 
-void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
-                           const double *qd)
-{
-    const struct thud_model_structure *p = &model->structure[structure];
-    const struct slice of = {p->system, 1, p->first_mode, p->modes};
-    series_of(model, seg, &of, q, qd);
-}
-
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, double h_s, int terms,
                       const double *load)
 {
@@ -372,6 +364,31 @@ static void constraint_forces(const struct thud_state *state, struct thud_segmen
     }
 }
 
+static void linear_series(const struct thud_state *state, struct thud_segment *seg, const struct slice *of,
+                          bool sticking, const double *q, const double *qd)
+{
+    first_terms(state->model, seg, of, q, qd);
+    seg->loaded = seg->terms;
+    for (int k = 0; k < seg->terms; k++) {
+        linear_forces(state, seg, k);
+        if (k + 2 < seg->terms)
+            next_order(state->model, seg, of, k);
+        if (k + 2 < seg->terms && sticking)
+            constraint_forces(state, seg, k);
+    }
+}
+
+void thud_taylor_structure(const struct thud_state *state, struct thud_segment *seg, int structure, bool yields,
+                           const double *q, const double *qd)
+{
+    const struct thud_model_structure *p = &state->model->structure[structure];
+    const struct slice of = {p->system, 1, p->first_mode, p->modes};
+    if (yields)
+        linear_series(state, seg, &of, false, q, qd);
+    else
+        series_of(state->model, seg, &of, q, qd);
+}
+
 double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg)
 {
     const struct thud_model *m = state->model;
@@ -379,19 +396,10 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
     bool sticking = false;
     for (int i = 0; i < seg->rows; i++)
         sticking |= thud_row_sticks(state, seg->row[i]);
-    if (thud_state_is_free(state)) {
+    if (thud_state_is_free(state))
         series_of(m, seg, &all, state->q, state->qd);
-    } else {
-        first_terms(m, seg, &all, state->q, state->qd);
-        seg->loaded = seg->terms;
-        for (int k = 0; k < seg->terms; k++) {
-            linear_forces(state, seg, k);
-            if (k + 2 < seg->terms)
-                next_order(m, seg, &all, k);
-            if (k + 2 < seg->terms && sticking)
-                constraint_forces(state, seg, k);
-        }
-    }
+    else
+        linear_series(state, seg, &all, sticking, state->q, state->qd);
     for (int c = 0; c < m->nrows; c++)
         if (thud_row_by_branch(state, c) && !thud_row_starts_at_zero(state, c))
             seg->notes->cached[c] = 0;

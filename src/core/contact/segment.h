@@ -84,9 +84,10 @@ void thud_segment_place(const struct thud_state *state, struct thud_segment *seg
 /* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
  * where omega h is about 1.5 or less. */
 void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd);
-/* The same of the modes of one structure, and of what it is tied to, alone; q and qd are of all. */
-void thud_taylor_structure(const struct thud_model *model, struct thud_segment *seg, int structure, const double *q,
-                           const double *qd);
+/* The same of the modes of one structure, and of what it is tied to, alone; q and qd are of all. yields: all rows that act
+ * are storeys there, whose forces are found along with it. */
+void thud_taylor_structure(const struct thud_state *state, struct thud_segment *seg, int structure, bool yields,
+                           const double *q, const double *qd);
 /* Motion from rest over h seconds under the constant modal load alone. */
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, double h_s, int terms,
                       const double *load);

@@ -41,27 +41,16 @@ struct part {
     double *block;
 };
 
-/* Dofs of the structures whose modes are common with the first one's. */
-static int floors_of(const struct thud_model *m, const struct thud_model_structure *first)
-{
-    int floors = 0;
-    for (int s = m->system[first->system]; s < m->nstructures && m->structure[s].system == first->system; s++)
-        floors += m->structure[s].dofs;
-    return floors;
-}
-
 static bool dashpot_acts(const struct thud_model *m, int link, int system)
 {
     const struct thud_model_link *p = &m->link[link];
     return p->contact < 0 && p->damping_nspm != 0 && m->structure[p->structure].system == system;
 }
 
-/* floors: how many have rows in by_floor. */
-static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, int floors, struct thud_error *err)
+static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, struct thud_error *err)
 {
     const size_t n = (size_t)c->n, size = (size_t)c->size;
-    c->block =
-        calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 4 * size + (size_t)floors * n, sizeof *c->block);
+    c->block = calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 2 * size, sizeof *c->block);
     part->block = calloc(n * n + 4 * size * size + POINTS * n * size, sizeof *part->block);
     if (!c->link || !c->block || !part->block) {
         free(part->block);
@@ -70,12 +59,11 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
     }
     c->step = c->block;
     c->loss = c->step + 2 * n * size;
-    c->work[0] = c->loss + (size_t)(1 + c->links) * size * size;
-    c->work[1] = c->work[0] + size;
-    c->now = c->work[1] + size;
-    c->by_floor = c->now + 2 * size;
-    c->input = c->by_floor + (size_t)floors * n;
+    c->now = c->loss + (size_t)(1 + c->links) * size * size;
+    c->input = c->now + 2 * size;
     c->product = c->input + size * size;
+    c->work[0] = c->input + 2 * n * size;
+    c->work[1] = c->work[0] + size;
     part->flow = part->block;
     part->rate = part->flow + size * size;
     part->temp = part->rate + size * size;
@@ -97,7 +85,9 @@ static void fill_rate(const struct thud_coupled_motion *c, struct part *part, co
         for (int j = 0; j < n; j++)
             row[n + j] = -damping[j];
         part->rate[i * size + n + i] = 1;
-        row[i] = -m->spring[first + i];
+        for (int j = 0; j < n && c->soft; j++)
+            row[j] = -c->soft_npm * c->soft[i] * c->soft[j];
+        row[i] -= m->spring[first + i];
         row[2 * n] = -m->gamma[first + i];
     }
     part->rate[2 * n * size + 2 * n + 1] = 1 / part->dt_s;
@@ -169,58 +159,36 @@ static void double_part(struct thud_coupled_motion *c, struct part *part)
     part->h_s *= 2;
 }
 
-/* By the ground accelerations at both ends of an interval in place of the first one and the change. */
-static void by_ends(int n, double *at, int apart)
+/* A form by the ground accelerations at both ends in place of the first one and the change, its upper part alone. */
+static void finish_form(int n, double *form)
 {
-    at[2 * n * apart] -= at[(2 * n + 1) * apart];
-}
-
-/* W as a form as L is; both by the ground accelerations at both ends. */
-static void finish_forms(struct thud_coupled_motion *c)
-{
-    const int n = c->n, size = c->size;
-    double *first = c->input + 2 * n * size, *last = first + size;
-    for (int i = 0; i < (1 + c->links) * size; i++)
-        by_ends(n, c->loss + i * size, 1);
-    for (int l = 0; l <= c->links; l++)
-        for (int j = 0; j < size; j++)
-            by_ends(n, c->loss + l * size * size + j, size);
-    memcpy(first, c->work[0], (size_t)size * sizeof *first);
-    memcpy(last, c->work[1], (size_t)size * sizeof *last);
-    by_ends(n, first, 1);
-    by_ends(n, last, 1);
-    for (int j = 0; j < size; j++)
-        by_ends(n, c->input + j, size);
+    const int size = 2 * n + 2;
+    for (int i = 0; i < size; i++)
+        form[i * size + 2 * n] -= form[i * size + 2 * n + 1];
+    for (int i = 0; i < size; i++)
+        form[2 * n * size + i] -= form[(2 * n + 1) * size + i];
     for (int i = 0; i < size; i++)
         for (int j = i + 1; j < size; j++)
-            c->input[i * size + j] += c->input[j * size + i];
-}
-
-/* The forms are symmetric: half of each is read then. */
-static void double_upper_part(struct thud_coupled_motion *c)
-{
-    const int size = c->size;
-    for (int l = 0; l <= c->links; l++)
-        for (int i = 0; i < size; i++)
-            for (int j = i + 1; j < size; j++) {
-                double *loss = c->loss + l * size * size;
-                loss[i * size + j] += loss[j * size + i];
-            }
+            form[i * size + j] += form[j * size + i];
 }
 
 enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
-                                          int system, int mode, struct thud_error *err)
+                                          int system, int mode, int storey, struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[m->system[system]];
-    const int n = mode < 0 ? p->modes : 1, floors = mode < 0 ? floors_of(m, p) : 0;
+    const int n = mode < 0 ? p->modes : 1;
     struct part part = {.dt_s = state->grid_dt_s};
     *motion = (struct thud_coupled_motion){.n = n, .size = 2 * n + 2, .first_mode = mode < 0 ? p->first_mode : mode};
+    if (storey >= 0) {
+        motion->soft = m->jacobian + (m->ncontacts + storey) * m->nmodes + p->first_mode;
+        motion->soft_npm = (m->storey[storey].hardening - 1) * m->storey[storey].stiffness_npm;
+    }
     motion->link = calloc((size_t)m->nlinks + 1, sizeof *motion->link);
     for (int i = 0; motion->link && mode < 0 && i < m->nlinks; i++)
         if (dashpot_acts(m, i, system))
             motion->link[motion->links++] = i;
-    enum thud_status status = allocate(motion, &part, floors, err);
+    enum thud_status status = allocate(motion, &part, err);
     if (status != THUD_OK)
         return status;
     int doublings = 0;
@@ -236,9 +204,9 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
         for (int j = 0; j < motion->size; j++)
             motion->step[j * 2 * n + i] = part.flow[i * motion->size + j];
     memset(motion->now, 0, 2 * (size_t)motion->size * sizeof(double));
-    add_product(floors, n, n, 1, p->phi, false, part.damping, motion->by_floor);
-    finish_forms(motion);
-    double_upper_part(motion);
+    for (int l = 0; l <= motion->links; l++)
+        finish_form(n, motion->loss + l * motion->size * motion->size);
+    finish_form(n, motion->input);
     free(part.block);
     return THUD_OK;
 }

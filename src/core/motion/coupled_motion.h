@@ -19,22 +19,24 @@
 struct thud_coupled_motion {
     int n, size; /* modes, and of x: 2 n + 2 */
     int first_mode;
-    double *step;     /* (size x 2 n) to q and q' an interval later, by each entry of x */
-    double *loss;     /* ((1 + links) x size x size) upper part of L, and of x^T L_l x of links with a dashpot, by the
+    const double *soft; /* (n) g of a row that yields, NULL: none; its force is soft_npm g . (q - s) about the rest s */
+    double soft_npm;    /* below 0 */
+    double *step;       /* (size x 2 n) to q and q' an interval later, by each entry of x */
+    double *loss;       /* ((1 + links) x size x size) upper part of L, and of x^T L_l x of links with a dashpot, by the
                          accelerations at both ends */
-    double *input;    /* (size x size) upper part of W, as a form by the accelerations at both ends */
-    int links, *link; /* (links) these links in the model */
-    double *work[2];  /* (size) W_a, W_b */
-    double *by_floor; /* (floors x n) all floors' rows of Phi times D */
-    double *now;      /* (2 x size) */
-    double *product;  /* (size x size) upper part of the sums of x x^T over the first `summed` intervals of a block */
+    double *input;      /* (size x size) upper part of W, as a form by the accelerations at both ends */
+    int links, *link;   /* (links) these links in the model */
+    double *work[2];    /* (size) W_a, W_b: the last rows of input */
+    double *now;        /* (2 x size) */
+    double *product;    /* (size x size) upper part of the sums of x x^T over the first `summed` intervals of a block */
     int summed;
     double *block;
 };
 
-/* Of the structures of one system; mode: -1, or this one of its modes alone. Errors: THUD_MEMORY; nothing stays allocated then. */
+/* Of the structures of one system; mode: -1, or this one of its modes alone; storey: -1, or one that yields. Errors:
+ * THUD_MEMORY; nothing stays allocated then. */
 enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
-                                          int system, int mode, struct thud_error *err);
+                                          int system, int mode, int storey, struct thud_error *err);
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
 
 /* Rows of q and qd (n), `apart` doubles each, from their first value on, under the ground accelerations at the start and at the

@@ -45,7 +45,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
                sizeof *next);
     f->valued = calloc(THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     f->series.has = calloc(ns + 1, sizeof *f->series.has);
-    f->coupled = calloc(ns + 1, sizeof *f->coupled);
+    f->coupled = calloc(ns + (size_t)m->nstoreys + 1, sizeof *f->coupled);
     if (!next || !f->valued || !f->series.has || !f->coupled)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
@@ -103,8 +103,8 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     if (!f)
         return;
     thud_segment_clear(&f->series.seg);
-    for (int s = 0; s < f->nsystems; s++)
-        thud_coupled_motion_clear(&f->coupled[s]);
+    for (int i = 0; f->coupled && f->model && i < f->nsystems + f->model->nstoreys; i++)
+        thud_coupled_motion_clear(&f->coupled[i]);
     free(f->coupled);
     free(f->valued);
     free(f->series.has);
@@ -121,15 +121,20 @@ void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals,
 }
 
 /* Intervals to try: to the end of the run and of the aligned block at most. */
-static int intervals_left(const struct thud_free_vibration *f, const struct thud_state *state)
+static int intervals_left(struct thud_free_vibration *f, const struct thud_state *state)
 {
     long left = (long)floor(state->end_s / f->dt_s * (1 + THUD_TOL_TIME)) - state->grid,
          aligned = THUD_FREE_VIBRATION_BLOCK - state->grid % THUD_FREE_VIBRATION_BLOCK;
-    if (state->offset_s != 0 || left <= 0 || state->nyielding > 0)
+    if (state->offset_s != 0 || left <= 0 || state->nyielding > 1)
         return 0;
     for (int c = 0; c < state->model->ncontacts; c++)
         if (state->contact[c].mode != THUD_OPEN)
             return 0;
+    f->yields = -1;
+    for (int k = 0; k < state->model->nstoreys; k++)
+        f->yields = state->storey[k].direction != 0 ? k : f->yields;
+    if (f->yields >= 0 && (f->coupled[f->nsystems + f->yields].size == 0 || state->storey[f->yields].suppressed > 0))
+        return 0;
     left = left < aligned ? left : aligned;
     if (left * f->pieces > PIECES_MOST)
         left = f->pieces < PIECES_MOST ? PIECES_MOST / f->pieces : 1;
@@ -144,7 +149,6 @@ int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud
         return 0;
     thud_free_vibration_fill(f, state, tried);
     thud_free_vibration_sum(f, m, tried);
-    thud_free_vibration_margins(f, m, tried);
     int intervals = thud_free_vibration_until_yield(f, state, thud_free_vibration_until_contact(f, state, tried));
     intervals = thud_free_vibration_until_collapse(f, state, intervals);
     f->size = intervals < tried                         ? SHORT_BLOCK

@@ -45,7 +45,9 @@ struct thud_free_vibration {
     int pieces; /* series needed for one interval */
     double dt_s;
     struct thud_free_vibration_tables tables;
-    struct thud_coupled_motion *coupled; /* (nsystems) of those whose damping couples modes; size 0: another */
+    struct thud_coupled_motion *coupled; /* (nsystems) of those whose damping couples modes; behind them (nstoreys) of
+                                            the system of a storey while it yields; size 0: another */
+    int yields;                          /* in the block, this storey; -1: none */
     double *bound; /* (nsystems x 7) of the derivatives of such a system in a block, by order; NaN: not yet made */
 
     struct thud_free_vibration_series series;
@@ -81,8 +83,8 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
 void thud_free_vibration_free(struct thud_free_vibration *f);
 
 /* Makes a block from the state on, and returns how many intervals pass before one in which a contact closes or a storey
- * yields; 0 where the state is not at the start of an interval, a contact is not open, a storey yields, or nothing is
- * left. */
+ * yields, or unloads; 0 where the state is not at the start of an interval, a contact is not open, more than one storey
+ * yields or one that has no tables for that, or nothing is left. */
 int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud_state *state);
 /* The block's modal state after so many intervals. */
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd);

@@ -65,19 +65,31 @@ static inline void recurrence(struct thud_free_vibration *f, int intervals, bool
     }
 }
 
-/* Where the modes would rest under the constant forces: s = -g F/omega^2. */
+/* Where the modes would rest under the constant forces: s = -g F/omega^2. In a system with a storey that yields, the
+ * inverse of Omega^2 + kappa g g^T is
+ *
+ *     Omega^-2 - kappa Omega^-2 g g^T Omega^-2/(1 + kappa g^T Omega^-2 g)     (Sherman and Morrison) */
 static void shift_modes(struct thud_free_vibration *f, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
-    if (!f->shifted && state->nshifted == 0)
+    const bool now = state->nshifted > 0 || f->yields >= 0;
+    if (!f->shifted && !now)
         return;
-    f->shifted = state->nshifted > 0;
+    f->shifted = now;
     memset(f->shift, 0, (size_t)f->n * sizeof *f->shift);
     for (int c = m->ncontacts; c < m->nrows; c++)
         for (int j = 0; j < f->n && f->shifted; j++)
             f->shift[j] -= m->jacobian[c * f->n + j] * thud_row_branch(state, c)->f0_n;
     for (int j = 0; j < f->n; j++)
         f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
+    if (f->yields < 0)
+        return;
+    const struct thud_coupled_motion *c = &f->coupled[f->nsystems + f->yields];
+    double *s = f->shift + c->first_mode, by = 1, rest = thud_dot(c->n, c->soft, s);
+    for (int j = 0; j < c->n; j++)
+        by += c->soft_npm * c->soft[j] * c->soft[j] / m->spring[c->first_mode + j];
+    for (int j = 0; j < c->n; j++)
+        s[j] -= c->soft_npm * rest / by * c->soft[j] / m->spring[c->first_mode + j];
 }
 
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
@@ -97,9 +109,16 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
     for (int s = 0; s < f->nsystems; s++) {
         const int first = f->coupled[s].first_mode, row = first * ENDS;
         if (f->coupled[s].size > 0)
-            thud_coupled_motion_advance(&f->coupled[s], f->q + row, f->qd + row, f->shift + first, ENDS, f->ground,
-                                        f->after, intervals);
+            thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q + row, f->qd + row, f->shift + first,
+                                        ENDS, f->ground, f->after, intervals);
     }
+    f->slope = 0;
+    for (int t = 0; t < intervals; t++)
+        f->slope = thud_larger(f->slope, fabs(f->after[t] - f->ground[t]) / f->dt_s);
+    for (int i = 0; i < THUD_FREE_VIBRATION_BOUNDS * f->nsystems; i++)
+        f->bound[i] = NAN;
+    for (int i = 0; i < THUD_FLOOR_QUANTITIES * state->model->nstructures; i++)
+        f->margin[i] = NAN;
     memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
     memset(f->series.has, 0, (size_t)f->nsystems * sizeof *f->series.has);
     f->series.piece = -1;
@@ -193,6 +212,21 @@ static void floor_rows(struct thud_free_vibration *f, const struct thud_model_st
         some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
 }
 
+/* -kappa g g^T (x - s) of the storey that yields, added to the rows of its system. */
+static void soften(const struct thud_free_vibration *f, const struct thud_coupled_motion *c, const double *x,
+                   bool shifted, double *out)
+{
+    const double rest = shifted ? thud_dot(c->n, c->soft, f->shift + c->first_mode) : 0;
+    for (int t = 0; t < f->ends; t += 2) { /* rows are long enough */
+        const int row = c->first_mode * ENDS + t;
+        thud_vec2 drift = {-rest, -rest};
+        for (int j = 0; j < c->n; j++)
+            drift += c->soft[j] * thud_vec2_at(x + row + j * ENDS);
+        for (int j = 0; j < c->n; j++)
+            thud_vec2_put(thud_vec2_at(out + row + j * ENDS) - c->soft_npm * c->soft[j] * drift, out + row + j * ENDS);
+    }
+}
+
 void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
                                 const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
                                 double *out)
@@ -212,6 +246,8 @@ void thud_free_vibration_spring(const struct thud_free_vibration *f, const struc
             thud_vec2_put(-b, out + j * ENDS + t + 2);
         }
     }
+    if (thud_free_vibration_motion(f, p->system)->soft)
+        soften(f, thud_free_vibration_motion(f, p->system), x, shifted, out);
 }
 
 static void drift_rows(struct thud_free_vibration *f, const struct thud_model_structure *p)
@@ -250,17 +286,18 @@ static double jerk(const struct thud_free_vibration *f, const struct thud_model 
                    double ground)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const double *row = p->phi + floor * p->modes, *damped = f->coupled[p->system].by_floor;
-    const int in_system = floor + p->first - m->structure[m->system[p->system]].first;
-    double sum = 0;
-    for (int j = 0; j < p->modes; j++) {
-        const int k = p->first_mode + j;
-        double second = f->acceleration[k * ENDS + t] - m->gamma[k] * ground;
-        sum -= row[j] * (m->spring[k] * f->qd[k * ENDS + t] + m->dashpot[k] * second);
-        if (damped)
-            sum -= damped[in_system * p->modes + j] * second;
+    const struct thud_coupled_motion *c = thud_free_vibration_motion(f, p->system);
+    const double *row = p->phi + floor * p->modes;
+    double sum = 0, drift = 0, *second = f->series.now; /* workspace */
+    for (int j = 0, k = p->first_mode; j < p->modes; j++, k++)
+        second[j] = f->acceleration[k * ENDS + t] - m->gamma[k] * ground;
+    for (int j = 0, k = p->first_mode; j < p->modes; j++, k++) {
+        const double rate = f->qd[k * ENDS + t],
+                     coupled = p->damping ? thud_dot(p->modes, p->damping + j * p->modes, second) : 0;
+        sum -= row[j] * (m->spring[k] * rate + m->dashpot[k] * second[j] + coupled);
+        drift += c->soft ? c->soft[j] * rate : 0;
     }
-    return sum;
+    return c->soft ? sum - c->soft_npm * drift * thud_dot(p->modes, row, c->soft) : sum;
 }
 
 double thud_free_vibration_rate(struct thud_free_vibration *f, const struct thud_model *m, int structure, int floor,
@@ -280,7 +317,7 @@ double thud_free_vibration_rate(struct thud_free_vibration *f, const struct thud
 
 static void sum_coupled(const struct thud_free_vibration *f, int system, int intervals)
 {
-    struct thud_coupled_motion *c = &f->coupled[system];
+    struct thud_coupled_motion *c = thud_free_vibration_motion(f, system);
     const int row = c->first_mode * ENDS;
     thud_coupled_motion_sum(c, f->q + row, f->qd + row, f->shift + c->first_mode, f->moved + row, ENDS, f->ground,
                             f->after, intervals);
@@ -311,7 +348,7 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
     }
     f->summed = intervals;
     for (int s = 0; s < f->nsystems; s++) {
-        const struct thud_coupled_motion *c = &f->coupled[s];
+        const struct thud_coupled_motion *c = thud_free_vibration_motion(f, s);
         if (c->size > 0) {
             sum_coupled(f, s, intervals);
             thud_coupled_motion_work(c, &input, &viscous);
@@ -325,7 +362,7 @@ double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const 
                                      int intervals)
 {
     const int system = model->structure[model->link[link].structure].system;
-    const struct thud_coupled_motion *c = &f->coupled[system];
+    const struct thud_coupled_motion *c = thud_free_vibration_motion(f, system);
     if (c->links == 0)
         return 0;
     sum_coupled(f, system, intervals);

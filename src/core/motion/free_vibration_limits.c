@@ -55,6 +55,7 @@ static double ground_size(const struct thud_model *m, const struct thud_model_st
  *     y_k = (Omega d^k q, d^(k+1) q),   d|y_k|/dt <= |gamma da_g/dt| for k = 1, and 0 from there on,
  *
  * whatever the damping, as that only takes energy. So the norms at the starts of the intervals are all that is needed.
+ * While a storey yields, kappa < 0, this holds of the norms with Omega^2 + kappa g g^T, and those with Omega lie above.
  * Of order k, out of those of the two orders below. */
 static double make_bound(struct thud_free_vibration *f, const struct thud_model *m, int system, int k)
 {
@@ -106,17 +107,6 @@ double thud_free_vibration_floor_bend(struct thud_free_vibration *f, const struc
     const bool drift = quantity == THUD_FLOOR_DRIFT;
     const double *most = m->mode_max + (drift ? m->nmodes : 0) + m->structure[structure].first_mode;
     return thud_free_vibration_bend(f, m, structure, most, more + (drift ? 0 : quantity));
-}
-
-void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
-{
-    f->slope = 0;
-    for (int t = 0; t < intervals; t++)
-        f->slope = thud_larger(f->slope, fabs(f->after[t] - f->ground[t]) / f->dt_s);
-    for (int i = 0; i < BOUNDS * m->nsystems; i++)
-        f->bound[i] = NAN;
-    for (int i = 0; i < THUD_FLOOR_QUANTITIES * m->nstructures; i++)
-        f->margin[i] = NAN;
 }
 
 double thud_free_vibration_margin(struct thud_free_vibration *f, const struct thud_model *m, int structure,
@@ -263,7 +253,7 @@ int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struc
     return intervals;
 }
 
-/* Whether storey k comes to its bound in interval t. */
+/* Whether storey k comes to its bound in interval t, or unloads where it yields. */
 static bool yields(struct thud_free_vibration *f, const struct thud_state *state, int k, int t)
 {
     const struct thud_storey_state *s = &state->storey[k];
@@ -273,7 +263,11 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
         const struct thud_segment *seg = thud_free_vibration_row_series(f, state, row, t, piece);
         thud_segment_indentation(state, seg, row, d);
         double drift = d[0];
-        for (int side = -1; side <= 1; side += 2) {
+        for (int i = 1; i < seg->terms && s->direction != 0; i++)
+            d[i] *= i;
+        if (s->direction != 0 && thud_poly_first_above(d + 1, seg->terms - 1, 1, -s->direction, 0, 0) <= 1)
+            return true;
+        for (int side = -1; side <= 1 && s->direction == 0; side += 2) {
             int suppressed = t == 0 && piece == 0 && s->suppressed_side == side ? s->suppressed : 0;
             d[0] = drift - s->plastic_m - side * state->model->storey[k].yield_m;
             if (thud_poly_first_above(d, seg->terms, 1, side, suppressed, THUD_TOL_INDENTATION_M) <= 1)
@@ -291,8 +285,8 @@ static double drift_margin(struct thud_free_vibration *f, const struct thud_mode
                             : gap_margin(f, m, &m->contact[m->ncontacts + k]);
 }
 
-/* Its drift less what is plastic at the ends into f->gap; the largest. */
-static double largest_drift(struct thud_free_vibration *f, const struct thud_state *state, int k, int ends)
+/* The size of its drift less what is plastic at the ends into f->gap; returns how large it may be there. */
+static double fill_drift(struct thud_free_vibration *f, const struct thud_state *state, int k)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_contact *row = &m->contact[m->ncontacts + k];
@@ -301,21 +295,30 @@ static double largest_drift(struct thud_free_vibration *f, const struct thud_sta
         thud_free_vibration_values(f, m, row->left.structure, THUD_FLOOR_DISPLACEMENT);
     if (row->right_dof >= 0)
         thud_free_vibration_values(f, m, row->right.structure, THUD_FLOOR_DISPLACEMENT);
-    for (int t = 0; t < ends; t++)
-        f->gap[t] = side_value(&row->left, u + t) - side_value(&row->right, u + t) - state->storey[k].plastic_m;
-    return thud_largest_size(f->gap, ends);
+    for (int t = 0; t < f->ends; t++)
+        f->gap[t] = fabs(side_value(&row->left, u + t) - side_value(&row->right, u + t) - state->storey[k].plastic_m);
+    return m->storey[k].yield_m - drift_margin(f, m, k);
 }
 
-/* Intervals until a storey yields, at most `intervals`. */
+/* Of the storey that yields, the rate of its drift inward. */
+static double fill_rate(struct thud_free_vibration *f, const struct thud_state *state, int k)
+{
+    const struct thud_coupled_motion *c = &f->coupled[f->nsystems + k];
+    memset(f->gap, 0, ENDS * sizeof *f->gap);
+    thud_add_rows(ENDS, c->n, -state->storey[k].direction, c->soft, f->qd + c->first_mode * ENDS, f->gap);
+    return -f->dt_s * f->dt_s / 8 *
+           thud_free_vibration_bend(f, state->model, state->model->storey[k].structure, c->soft, 3);
+}
+
+/* Intervals until a storey yields, or unloads, at most `intervals`. */
 int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
-    const struct thud_model *m = state->model;
-    for (int k = 0; k < m->nstoreys; k++) {
-        const double limit = m->storey[k].yield_m - drift_margin(f, m, k);
-        if (largest_drift(f, state, k, intervals + 1) <= limit && state->storey[k].suppressed == 0)
+    for (int k = 0; k < state->model->nstoreys; k++) {
+        const double limit = k == f->yields ? fill_rate(f, state, k) : fill_drift(f, state, k);
+        if (thud_largest(f->gap, intervals + 1) <= limit && state->storey[k].suppressed == 0)
             continue;
         for (int t = 0; t < intervals; t++)
-            if ((fabs(f->gap[t]) > limit || fabs(f->gap[t + 1]) > limit) && yields(f, state, k, t))
+            if ((f->gap[t] > limit || f->gap[t + 1] > limit) && yields(f, state, k, t))
                 intervals = t;
     }
     return intervals;

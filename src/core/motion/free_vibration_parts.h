@@ -8,6 +8,13 @@ enum {
     THUD_FREE_VIBRATION_BOUNDS = 7 /* of derivatives up to the sixth */
 };
 
+/* What moves the modes of a system in the block. */
+static inline struct thud_coupled_motion *thud_free_vibration_motion(const struct thud_free_vibration *f, int system)
+{
+    struct thud_coupled_motion *own = &f->coupled[system], *yielding = &f->coupled[f->nsystems + f->yields];
+    return f->yields >= 0 && own->size > 0 && own->first_mode == yielding->first_mode ? yielding : own;
+}
+
 /* free_vibration_tables.c. Errors: THUD_MEMORY. */
 enum thud_status thud_free_vibration_make_tables(const struct thud_state *state, struct thud_free_vibration *f,
                                                  struct thud_error *err);
@@ -18,13 +25,12 @@ bool thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct
  * and the modes' largest speeds. */
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 void thud_free_vibration_sum(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
-/* -(Omega^2 x + D v) of the modes of a structure at the ends of the block, all rows; shifted: x is the modes' places. */
+/* -(Omega^2 x + D v), with Omega^2 + kappa g g^T while a storey yields, of the modes of a structure at the ends of the block, all rows; shifted: x is the modes' places. */
 void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
                                 const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
                                 double *out);
 
-/* free_vibration_limits.c: no bound is made yet; intervals until a contact closes, or a storey yields or may collapse, at most `intervals`. */
-void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
+/* free_vibration_limits.c: intervals until a contact closes, or a storey yields or may collapse, at most `intervals`. */
 int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 int thud_free_vibration_until_collapse(struct thud_free_vibration *f, const struct thud_state *state, int intervals);

@@ -24,9 +24,10 @@ static void start_piece(struct thud_free_vibration *f, const struct thud_model_s
 }
 
 /* The coefficients of a system's modes at the segment's time, out of its state at the start of the piece. */
-static void make_series(struct thud_free_vibration *f, const struct thud_model *m, int structure)
+static void make_series(struct thud_free_vibration *f, const struct thud_state *state, int structure)
 {
-    thud_taylor_structure(m, &f->series.seg, structure, f->series.now, f->series.now_rate);
+    const struct thud_coupled_motion *by = thud_free_vibration_motion(f, state->model->structure[structure].system);
+    thud_taylor_structure(state, &f->series.seg, structure, by->soft, f->series.now, f->series.now_rate);
     f->made++;
 }
 
@@ -53,7 +54,7 @@ static void place_series(struct thud_free_vibration *f, const struct thud_state 
     for (int s = 0; s < m->nsystems; s++) {
         if (series->has[s] && goes_on) {
             start_piece(f, &m->structure[m->system[s]], t, piece);
-            make_series(f, m, m->system[s]);
+            make_series(f, state, m->system[s]);
         } else if (series->has[s]) {
             forget_series(f, &m->structure[m->system[s]]);
             series->has[s] = false;
@@ -71,7 +72,7 @@ const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration
     for (int i = 0; i <= piece && !*has; i++) {
         start_piece(f, &state->model->structure[structure], t, i);
         thud_segment_place(state, &f->series.seg, state->grid + t, i * h, h);
-        make_series(f, state->model, structure);
+        make_series(f, state, structure);
     }
     *has = true;
     return &f->series.seg;

@@ -4,6 +4,9 @@
 
 #include <string.h>
 
+/* Of the elastic compliance of a row over that while it yields. */
+static const double least_left = 1e-6;
+
 /* Of mode j; the forms are upper parts (4 x 4) by q, q', a0 and a1. */
 static void read_mode(struct thud_free_vibration_tables *to, const struct thud_coupled_motion *c, int j)
 {
@@ -25,6 +28,20 @@ static void read_mode(struct thud_free_vibration_tables *to, const struct thud_c
     }
 }
 
+/* Whether blocks are made while storey k yields: an isolator, under a building whose damping couples its modes, whose
+ * force no sum over modes needs; and the building still swings about a place, as its stiffness
+ * Omega^2 + kappa g g^T stays positive definite. */
+static bool slides(const struct thud_model *m, int k)
+{
+    const struct thud_model_storey *storey = &m->storey[k];
+    const struct thud_model_structure *p = &m->structure[storey->structure];
+    const double *g = m->jacobian + (m->ncontacts + k) * m->nmodes;
+    double left = 1;
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
+        left -= (1 - storey->hardening) * storey->stiffness_npm * g[j] * g[j] / m->spring[j];
+    return p->damping && storey->link < 0 && storey->floor == 0 && m->ncolumns == 0 && left > least_left;
+}
+
 enum thud_status thud_free_vibration_make_tables(const struct thud_state *state, struct thud_free_vibration *f,
                                                  struct thud_error *err)
 {
@@ -34,14 +51,18 @@ enum thud_status thud_free_vibration_make_tables(const struct thud_state *state,
         const struct thud_model_structure *p = &m->structure[m->system[s]];
         struct thud_coupled_motion alone;
         if (p->damping)
-            status = thud_coupled_motion_init(&f->coupled[s], state, s, -1, err);
+            status = thud_coupled_motion_init(&f->coupled[s], state, s, -1, -1, err);
         for (int j = p->first_mode; !p->damping && j < p->first_mode + p->modes && status == THUD_OK; j++) {
-            status = thud_coupled_motion_init(&alone, state, s, j, err);
+            status = thud_coupled_motion_init(&alone, state, s, j, -1, err);
             if (status == THUD_OK)
                 read_mode(&f->tables, &alone, j);
             thud_coupled_motion_clear(&alone);
         }
     }
+    for (int k = 0; k < m->nstoreys && status == THUD_OK; k++)
+        if (slides(m, k))
+            status = thud_coupled_motion_init(&f->coupled[m->nsystems + k], state,
+                                              m->structure[m->storey[k].structure].system, -1, k, err);
     return status;
 }
 
