@@ -18,17 +18,8 @@
  * is the rest under these forces as they are at the start: what they change by from there on acts, and the floors' places
  * at rest are added to what S bounds. */
 
-/* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
-static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
-{
-    double ratio = 2 * m->zeta[p->first_mode + j], sum = 0;
-    for (int i = 0; p->damping && i < p->modes; i++)
-        for (int k = 0; k < p->modes; k++)
-            sum += p->damping[i * p->modes + k] * p->damping[i * p->modes + k];
-    return sqrt(1 + ratio * ratio) + (sum > 0 ? sqrt(sum) / m->omega[p->first_mode + j] : 0);
-}
-
-/* Fills peaks->per_speed. */
+/* Fills peaks->per_speed. A total acceleration without contacts is -phi_i . (Omega^2 x + D v): of (Omega x, v), whose norm
+ * is S, with the factors (Omega phi_i, D phi_i). */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
@@ -37,11 +28,13 @@ void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state 
         for (int i = 0; i < p->dofs; i++) {
             double sum[THUD_FLOOR_QUANTITIES] = {0};
             for (int j = 0; j < p->modes; j++) {
-                const double a = p->phi[i * p->modes + j], drift = thud_model_drift(p, p->phi + j, p->modes, i);
-                double w = m->omega[p->first_mode + j], f = damping_factor(m, p, j) * w;
+                const double *row = p->phi + i * p->modes, a = row[j], w = m->omega[p->first_mode + j],
+                             drift = thud_model_drift(p, p->phi + j, p->modes, i),
+                             damped = m->dashpot[p->first_mode + j] * a +
+                                      (p->damping ? thud_dot(p->modes, p->damping + j * p->modes, row) : 0);
                 sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
                 sum[THUD_FLOOR_VELOCITY] += a * a;
-                sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
+                sum[THUD_FLOOR_ACCELERATION] += a * a * w * w + damped * damped;
                 sum[THUD_FLOOR_DRIFT] += p->drifts ? drift * drift / (w * w) : 0;
             }
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
