@@ -1,12 +1,14 @@
 /* Buildings on soil: periods and damping in closed form, the limit of rigid ground, what a half-space gives, other
  * methods, energy, symmetry, buildings by their matrix, and bad input. */
 #include <check.h>
+#include <lapacke.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/quantity.h"
+#include "base/random.h"
 #include "march.h"
 #include "remarks.h"
 #include "study/scene/building.h"
@@ -81,6 +83,106 @@ START_TEST(period_and_damping_of_an_oscillator)
     /* the drift is the spring's part of the whole, whichever way it is read */
     ck_assert_double_eq_tol(thud_model_drift(p, p->phi, p->modes, 0) / p->phi[0], give[0] / all, 1e-7);
     thud_model_free(model);
+}
+END_TEST
+
+/* Largest |rate| of q'' + D q' + Omega^2 q = 0, by LAPACK from the first-order system, and the largest rate of D alone. */
+static double fastest_rate(const struct thud_model_structure *p, const double *omega, double *damping)
+{
+    const int n = p->modes, size = 2 * n;
+    double a[32 * 32] = {0}, d[16 * 16], real[32], imaginary[32], fastest = 0;
+    ck_assert_int_le(n, 16);
+    for (int i = 0; i < n; i++) {
+        a[i * size + n + i] = 1;
+        a[(n + i) * size + i] = -omega[i] * omega[i];
+        for (int j = 0; j < n; j++)
+            a[(n + i) * size + n + j] = -(d[i * n + j] = p->damping[i * n + j]);
+    }
+    ck_assert_int_eq(LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', size, a, size, real, imaginary, NULL, 1, NULL, 1), 0);
+    for (int i = 0; i < size; i++) {
+        fastest = fmax(fastest, hypot(real[i], imaginary[i]));
+        ck_assert_double_lt(real[i], 1e-9 * omega[n - 1]);
+    }
+    ck_assert_int_eq(LAPACKE_dsyev(LAPACK_ROW_MAJOR, 'N', 'U', n, d, n, real), 0);
+    *damping = real[n - 1];
+    return fastest;
+}
+
+/* Pieces of a series and default steps are taken by it: no rate of a random building on soil is above the bound, and it is
+ * that of the frequencies or of the dashpots, not of both. */
+START_TEST(no_rate_is_above_the_bound)
+{
+    struct thud_random random = {20};
+    double nearest = 0;
+    for (int i = 0; i < 200; i++) {
+        double mass[8], stiffness[8], rise[8], damping;
+        const int n = 1 + i % 8;
+        for (int floor = 0; floor < n; floor++) {
+            mass[floor] = 1e5 * exp(2 * thud_random_unit(&random) - 1);
+            stiffness[floor] = 1e8 * exp(2 * thud_random_unit(&random) - 1);
+            rise[floor] = 3;
+        }
+        const double strong = exp(8 * thud_random_unit(&random) - 5);
+        const struct thud_foundation_input soil = {.mass_kg = 1e5 * exp(6 * thud_random_unit(&random) - 4),
+                                                   .inertia_kgm2 = 1e6 * exp(6 * thud_random_unit(&random) - 4),
+                                                   .sway_npm = 1e8,
+                                                   .rocking_nmprad = 1e10,
+                                                   .sway_nspm = 1e7 * strong * thud_random_unit(&random),
+                                                   .rocking_nmsprad = 1e8 * strong * thud_random_unit(&random)};
+        struct thud_structure_input s = {.n = n,
+                                         .mass_kg = mass,
+                                         .stiffness_npm = stiffness,
+                                         .damping = 0.2 * thud_random_unit(&random),
+                                         .foundation = &soil,
+                                         .rise_m = rise};
+        struct thud_model *m = NULL;
+        ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &s}, &m, NULL),
+                         THUD_OK);
+        const double rate = fastest_rate(&m->structure[0], m->omega, &damping), bound = thud_model_fastest(m, 0);
+        ck_assert_double_le(rate, bound * (1 + 1e-9));
+        ck_assert_double_le(bound, 1.3 * fmax(m->omega[m->nmodes - 1], damping));
+        ck_assert_double_eq(bound, m->fastest_radps);
+        nearest = fmax(nearest, damping > m->omega[m->nmodes - 1] ? rate / bound : 0);
+        thud_model_free(m);
+    }
+    ck_assert_double_gt(nearest, 0.95);
+}
+END_TEST
+
+/* At the step that a method takes by itself, on soft ground under a light foundation and on stiff ground under a heavy one. */
+START_TEST(default_steps_are_stable)
+{
+    static const char *const ground[][2] = {{"100 m/s", "20 t"}, {"400 m/s", "400 t"}};
+    struct thud_record *record = thud_test_motion(0.6);
+    thud_test_towers(&scene);
+    for (int s = 1; s <= 2; s++) {
+        static const char *const key[][2] = {{"density", "1.9 t/m3"}, {"poisson", "0.4"}, {"radius", "9 m"}};
+        char path[64];
+        for (int i = 0; i < 5; i++) {
+            snprintf(path, sizeof path, "structures.%d.foundation.%s", s, i < 3 ? key[i][0] : i == 3 ? "vs" : "mass");
+            set(path, i < 3 ? key[i][1] : ground[_i][i - 3]);
+        }
+    }
+    struct thud_model *model = assembled();
+    struct march exact = march_run(model, record, "exact", 0, 1e-6, true, 1);
+    ck_assert_int_eq(exact.status, THUD_OK);
+    for (int i = 0; i < thud_method_count(); i++) {
+        const struct thud_method *method = thud_method_at(i);
+        if (method->order == 0)
+            continue;
+        struct march m = march_run(model, record, method->name, 0, 0, false, 1);
+        ck_assert_msg(m.status == THUD_OK, "%s: %s", method->name, m.err.what);
+        for (int s = 0; s < 2; s++)
+            for (int floor = 0; floor < 4; floor++)
+                ck_assert_msg(fabs(m.result->structure[s].floor[floor].drift.value /
+                                       exact.result->structure[s].floor[floor].drift.value -
+                                   1) < 0.05,
+                              "%s: structure %d, storey %d", method->name, s + 1, floor + 1);
+        march_free(&m);
+    }
+    march_free(&exact);
+    thud_model_free(model);
+    thud_record_free(record);
 }
 END_TEST
 
@@ -457,6 +559,8 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("soil");
     TCase *tcase = tcase_create("soil");
     tcase_add_loop_test(tcase, period_and_damping_of_an_oscillator, 0, 4);
+    tcase_add_test(tcase, no_rate_is_above_the_bound);
+    tcase_add_loop_test(tcase, default_steps_are_stable, 0, 2);
     tcase_add_test(tcase, stiff_ground_is_rigid);
     tcase_add_test(tcase, runs_come_near_rigid_ground);
     tcase_add_test(tcase, disk_on_a_half_space);
