@@ -22,7 +22,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     size_t n = (size_t)m->nmodes, floors = (size_t)m->ndof, ns = (size_t)m->nstructures,
            rows = (n + THUD_FREE_VIBRATION_BATCH - 1) / THUD_FREE_VIBRATION_BATCH * THUD_FREE_VIBRATION_BATCH,
            count = 0;
-    double **by_mode[4 + 4 + 4 + 2 * THUD_FREE_VIBRATION_PRODUCTS + 4];
+    double **by_mode[4 + 4 + 4 + THUD_FREE_VIBRATION_PRODUCTS + 4];
     double **by_end[] = {&f->q, &f->qd, &f->acceleration, &f->work[0], &f->work[1], &f->work[2], &f->moved},
            **single[] = {&f->gap, &f->ground, &f->after};
     size_t ends = m->couples ? 7 : 3, singles = sizeof single / sizeof *single;
@@ -33,9 +33,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     }
     for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
         by_mode[count++] = &f->tables.viscous[i];
-    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++) /* behind the tables */
-        by_mode[count++] = &f->product[i];
-    by_mode[count++] = &f->series.now;
+    by_mode[count++] = &f->series.now; /* behind the tables */
     by_mode[count++] = &f->series.now_rate;
     by_mode[count++] = &f->speed;
     by_mode[count++] = &f->shift;
@@ -148,7 +146,7 @@ int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud
     if (tried == 0)
         return 0;
     thud_free_vibration_fill(f, state, tried);
-    thud_free_vibration_sum(f, m, tried);
+    thud_free_vibration_speeds(f, m);
     int intervals = thud_free_vibration_until_yield(f, state, thud_free_vibration_until_contact(f, state, tried));
     intervals = thud_free_vibration_until_collapse(f, state, intervals);
     f->size = intervals < tried                         ? SHORT_BLOCK

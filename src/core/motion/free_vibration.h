@@ -59,8 +59,6 @@ struct thud_free_vibration {
     double *acceleration; /* (n x ENDS) of the modes without the ground's, where values have it */
     double *work[3];      /* (n x ENDS) derivatives of the last orders that are bounded, where damping couples modes */
     double *moved;        /* (n x ENDS) workspace there */
-    double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
-    int summed;
     double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */
     bool *valued;                         /* (QUANTITIES x nstructures) */
     double *gap;                          /* (ENDS) */
@@ -131,5 +129,4 @@ const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibra
 double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
                                      int intervals);
 /* Work of the ground and loss in damping over the first intervals of the block. */
-void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
-                              double *input_j, double *viscous_j);
+void thud_free_vibration_work(const struct thud_free_vibration *f, int intervals, double *input_j, double *viscous_j);

@@ -16,7 +16,7 @@
 #include "base/largest.h"
 #include "core/numerics/vec.h"
 
-enum { FLOORS_AT_ONCE = 4 };
+enum { ROWS_AT_ONCE = 4 };
 
 /* The recurrence of `count` modes at once: one mode alone is a chain in which each interval depends on the one before. */
 static inline void batched_recurrence(struct thud_free_vibration *f, int j, const int count, int intervals,
@@ -127,70 +127,31 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
     f->ends = intervals + 1;
 }
 
-/* Sums over intervals of products of a mode's motion (x = q - s) and of the ground's, of which the energies of a block
- * are made; and the largest energy norm squared, q'^2 + omega^2 x^2, at their starts. */
-struct products {
-    thud_vec2 xx, xv, vv, x0, x1, v0, v1;
-    double most[2];
-};
-
-static inline void add_products(struct products *p, thud_vec2 x, thud_vec2 v, thud_vec2 a0, thud_vec2 a1, double w2)
-{
-    const thud_vec2 xx = x * x, vv = v * v, energy = vv + w2 * xx;
-    p->xx += xx;
-    p->xv += x * v;
-    p->vv += vv;
-    p->x0 += x * a0;
-    p->x1 += x * a1;
-    p->v0 += v * a0;
-    p->v1 += v * a1;
-    p->most[0] = energy[0] > p->most[0] ? energy[0] : p->most[0];
-    p->most[1] = energy[1] > p->most[1] ? energy[1] : p->most[1];
-}
-
-/* Of mode j over the first intervals of the block, its sums into f->product; returns the largest norm squared. */
-static double sum_products(struct thud_free_vibration *f, int j, double omega, int intervals)
-{
-    const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, *a0 = f->ground, *a1 = f->after;
-    const double w2 = omega * omega, s = f->shift[j];
-    struct products p = {0};
-    int t = 0;
-    for (; t + 2 <= intervals; t += 2)
-        add_products(&p, thud_vec2_at(q + t) - s, thud_vec2_at(qd + t), thud_vec2_at(a0 + t), thud_vec2_at(a1 + t), w2);
-    if (t < intervals)
-        add_products(&p, thud_vec2_set(q[t] - s, 0), thud_vec2_set(qd[t], 0), thud_vec2_set(a0[t], 0),
-                     thud_vec2_set(a1[t], 0), w2);
-    const thud_vec2 sum[] = {p.xx, p.xv, p.vv, p.x0, p.x1, p.v0, p.v1};
-    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
-        f->product[i][j] = thud_vec2_sum(sum[i]);
-    return thud_larger(p.most[0], p.most[1]);
-}
-
-/* Sums of the modes and their largest speeds in the block. */
-void thud_free_vibration_sum(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
+void thud_free_vibration_speeds(struct thud_free_vibration *f, const struct thud_model *m)
 {
     for (int j = 0; j < f->n; j++) {
-        const double w2 = m->omega[j] * m->omega[j], x = f->q[j * ENDS + intervals] - f->shift[j],
-                     v = f->qd[j * ENDS + intervals];
-        const double most = thud_larger(sum_products(f, j, m->omega[j], intervals), v * v + w2 * x * x);
-        f->speed[j] = sqrt(most);
+        const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, s = f->shift[j], w2 = m->omega[j] * m->omega[j];
+        thud_vec2 most = {0, 0};
+        for (int t = -(f->ends % 2); t < f->ends; t += 2) { /* of an odd number, the first one twice */
+            const int at = t < 0 ? 0 : t;
+            const thud_vec2 x = thud_vec2_at(q + at) - s, v = thud_vec2_at(qd + at), energy = v * v + w2 * (x * x);
+            most = thud_vec2_larger(energy, most);
+        }
+        f->speed[j] = sqrt(thud_larger(most[0], most[1]));
     }
-    f->summed = intervals;
 }
 
-/* Values at the ends of `count` floors from those of their modes, by four ends at a time (rows are long enough): the
- * more floors at once, the fewer loads for each product. */
-static inline void some_rows(const struct thud_model_structure *p, int i, const int count, const double *from, int ends,
-                             double *to)
+/* `count` rows of a matrix (columns each) times rows of modes, by four ends at a time (rows are long enough): the more at
+ * once, the fewer loads for each product. */
+static inline void some_rows(const double *row, int columns, const int count, const double *from, int ends, double *to)
 {
-    const double *row = p->phi + i * p->modes;
     for (int t = 0; t < ends; t += 4) {
-        const double *x = from + p->first_mode * ENDS + t;
-        thud_vec2 sum[FLOORS_AT_ONCE][2] = {0};
-        for (int j = 0; j < p->modes; j++, x += ENDS)
+        const double *x = from + t;
+        thud_vec2 sum[ROWS_AT_ONCE][2] = {0};
+        for (int j = 0; j < columns; j++, x += ENDS)
             for (int k = 0; k < count; k++) {
-                sum[k][0] += row[k * p->modes + j] * thud_vec2_at(x);
-                sum[k][1] += row[k * p->modes + j] * thud_vec2_at(x + 2);
+                sum[k][0] += row[k * columns + j] * thud_vec2_at(x);
+                sum[k][1] += row[k * columns + j] * thud_vec2_at(x + 2);
             }
         for (int k = 0; k < count; k++) {
             thud_vec2_put(sum[k][0], to + k * ENDS + t);
@@ -199,17 +160,16 @@ static inline void some_rows(const struct thud_model_structure *p, int i, const 
     }
 }
 
-static void floor_rows(struct thud_free_vibration *f, const struct thud_model_structure *p, int quantity,
-                       const double *from, int ends)
+/* A whole matrix (rows x columns). */
+static void all_rows(const double *row, int rows, int columns, const double *from, int ends, double *to)
 {
-    double *to = f->value[quantity] + (size_t)p->first * ENDS;
     int i = 0;
-    for (; i + FLOORS_AT_ONCE <= p->dofs; i += FLOORS_AT_ONCE)
-        some_rows(p, i, FLOORS_AT_ONCE, from, ends, to + (size_t)i * ENDS);
-    for (; i + FLOORS_AT_ONCE / 2 <= p->dofs; i += FLOORS_AT_ONCE / 2)
-        some_rows(p, i, FLOORS_AT_ONCE / 2, from, ends, to + (size_t)i * ENDS);
-    for (; i < p->dofs; i++)
-        some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
+    for (; i + ROWS_AT_ONCE <= rows; i += ROWS_AT_ONCE)
+        some_rows(row + i * columns, columns, ROWS_AT_ONCE, from, ends, to + (size_t)i * ENDS);
+    for (; i + ROWS_AT_ONCE / 2 <= rows; i += ROWS_AT_ONCE / 2)
+        some_rows(row + i * columns, columns, ROWS_AT_ONCE / 2, from, ends, to + (size_t)i * ENDS);
+    for (; i < rows; i++)
+        some_rows(row + i * columns, columns, 1, from, ends, to + (size_t)i * ENDS);
 }
 
 /* -kappa g g^T (x - s) of the storey that yields, added to the rows of its system. */
@@ -231,23 +191,20 @@ void thud_free_vibration_spring(const struct thud_free_vibration *f, const struc
                                 const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
                                 double *out)
 {
+    const struct thud_coupled_motion *c = thud_free_vibration_motion(f, p->system);
+    if (p->damping)
+        all_rows(p->damping, p->modes, p->modes, v + p->first_mode * ENDS, f->ends, out + p->first_mode * ENDS);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        const double s = shifted ? f->shift[j] : 0, spring = m->spring[j], dashpot = m->dashpot[j],
-                     *damping = p->damping ? p->damping + (j - p->first_mode) * p->modes : NULL;
-        for (int t = 0; t < f->ends; t += 4) { /* rows are long enough */
-            const double *xt = x + j * ENDS + t, *vt = v + j * ENDS + t, *rate = v + p->first_mode * ENDS + t;
-            thud_vec2 a = spring * (thud_vec2_at(xt) - s) + dashpot * thud_vec2_at(vt),
-                      b = spring * (thud_vec2_at(xt + 2) - s) + dashpot * thud_vec2_at(vt + 2);
-            for (int k = 0; damping && k < p->modes; k++, rate += ENDS) {
-                a += damping[k] * thud_vec2_at(rate);
-                b += damping[k] * thud_vec2_at(rate + 2);
-            }
-            thud_vec2_put(-a, out + j * ENDS + t);
-            thud_vec2_put(-b, out + j * ENDS + t + 2);
+        const double s = shifted ? f->shift[j] : 0, spring = m->spring[j], dashpot = m->dashpot[j];
+        for (int t = j * ENDS; t < j * ENDS + f->ends; t += 2) { /* rows are long enough */
+            thud_vec2 sum = spring * (thud_vec2_at(x + t) - s) + dashpot * thud_vec2_at(v + t);
+            if (p->damping)
+                sum += thud_vec2_at(out + t);
+            thud_vec2_put(-sum, out + t);
         }
     }
-    if (thud_free_vibration_motion(f, p->system)->soft)
-        soften(f, thud_free_vibration_motion(f, p->system), x, shifted, out);
+    if (c->soft)
+        soften(f, c, x, shifted, out);
 }
 
 static void drift_rows(struct thud_free_vibration *f, const struct thud_model_structure *p)
@@ -274,11 +231,11 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
     }
     if (quantity == THUD_FLOOR_ACCELERATION)
         thud_free_vibration_spring(f, m, p, f->q, f->qd, true, f->acceleration);
-    floor_rows(f, p, quantity,
-               quantity == THUD_FLOOR_DISPLACEMENT ? f->q
-               : quantity == THUD_FLOOR_VELOCITY   ? f->qd
-                                                   : f->acceleration,
-               f->ends);
+    const double *from = quantity == THUD_FLOOR_DISPLACEMENT ? f->q
+                         : quantity == THUD_FLOOR_VELOCITY   ? f->qd
+                                                             : f->acceleration;
+    all_rows(p->phi, p->dofs, p->modes, from + p->first_mode * ENDS, f->ends,
+             f->value[quantity] + (size_t)p->first * ENDS);
 }
 
 /* Rate of a floor's total acceleration: that of -(Omega^2 (q - s) + D q'), in which the slope of the ground has no part. */
@@ -323,9 +280,40 @@ static void sum_coupled(const struct thud_free_vibration *f, int system, int int
                             f->after, intervals);
 }
 
+/* Sums over intervals of products of a mode's motion (x = q - s) and of the ground's. */
+struct products {
+    thud_vec2 xx, xv, vv, x0, x1, v0, v1;
+};
+
+static inline void add_products(struct products *p, thud_vec2 x, thud_vec2 v, thud_vec2 a0, thud_vec2 a1)
+{
+    p->xx += x * x;
+    p->xv += x * v;
+    p->vv += v * v;
+    p->x0 += x * a0;
+    p->x1 += x * a1;
+    p->v0 += v * a0;
+    p->v1 += v * a1;
+}
+
+/* Of mode j over the first intervals of the block, out (PRODUCTS). */
+static void sum_products(const struct thud_free_vibration *f, int j, int intervals, double *out)
+{
+    const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, *a0 = f->ground, *a1 = f->after, s = f->shift[j];
+    struct products p = {0};
+    int t = 0;
+    for (; t + 2 <= intervals; t += 2)
+        add_products(&p, thud_vec2_at(q + t) - s, thud_vec2_at(qd + t), thud_vec2_at(a0 + t), thud_vec2_at(a1 + t));
+    if (t < intervals)
+        add_products(&p, thud_vec2_set(q[t] - s, 0), thud_vec2_set(qd[t], 0), thud_vec2_set(a0[t], 0),
+                     thud_vec2_set(a1[t], 0));
+    const thud_vec2 sum[] = {p.xx, p.xv, p.vv, p.x0, p.x1, p.v0, p.v1};
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
+        out[i] = thud_vec2_sum(sum[i]);
+}
+
 /* The two quadratic forms, in the sums of their products over the intervals. */
-void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
-                              double *input_j, double *viscous_j)
+void thud_free_vibration_work(const struct thud_free_vibration *f, int intervals, double *input_j, double *viscous_j)
 {
     const double *a0 = f->ground, *a1 = f->after;
     double ground[3] = {0}, input = 0, viscous = 0;
@@ -339,14 +327,15 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
         input += f->tables.ground[1][i] * ground[i];
     }
     for (int j = 0; j < f->n; j++) {
-        if (f->summed != intervals)
-            sum_products(f, j, model->omega[j], intervals);
+        double product[THUD_FREE_VIBRATION_PRODUCTS];
+        if (f->tables.e[0][j] == 0) /* damping couples it */
+            continue;
+        sum_products(f, j, intervals, product);
         for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
-            viscous += f->tables.viscous[i][j] * f->product[i][j];
-        input += f->tables.work[0][j] * f->product[3][j] + f->tables.work[1][j] * f->product[5][j] +
-                 f->tables.work[2][j] * f->product[4][j] + f->tables.work[3][j] * f->product[6][j];
+            viscous += f->tables.viscous[i][j] * product[i];
+        input += f->tables.work[0][j] * product[3] + f->tables.work[1][j] * product[5] +
+                 f->tables.work[2][j] * product[4] + f->tables.work[3][j] * product[6];
     }
-    f->summed = intervals;
     for (int s = 0; s < f->nsystems; s++) {
         const struct thud_coupled_motion *c = thud_free_vibration_motion(f, s);
         if (c->size > 0) {

@@ -77,7 +77,7 @@ bool thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct
     if (m->couples || l->couples || like->n != f->n || like->dt_s != f->dt_s || !same(l->omega, m->omega, f->n) ||
         !same(l->zeta, m->zeta, f->n) || !same(l->gamma, m->gamma, f->n))
         return false;
-    memcpy(f->block, like->block, (size_t)(f->product[0] - f->block) * sizeof *f->block);
+    memcpy(f->block, like->block, (size_t)(f->series.now - f->block) * sizeof *f->block);
     memcpy(f->tables.ground, like->tables.ground, sizeof f->tables.ground);
     return true;
 }

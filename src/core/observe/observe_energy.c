@@ -238,7 +238,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     double input, viscous;
     (void)err;
     watch(l, state);
-    thud_free_vibration_work(block, state->model, intervals, &input, &viscous);
+    thud_free_vibration_work(block, intervals, &input, &viscous);
     l->input_j += input;
     l->viscous_j += viscous;
     mark(l, state);
