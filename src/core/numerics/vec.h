@@ -128,6 +128,8 @@ static inline void thud_add_rows(int n, int count, double factor, const double *
     int i = 0;
     for (; i + 16 <= n; i += 16)
         thud_add_pairs(n, count, factor, x, a + i, out + i, 8);
+    for (; i + 12 <= n; i += 12)
+        thud_add_pairs(n, count, factor, x, a + i, out + i, 6);
     for (; i + 8 <= n; i += 8)
         thud_add_pairs(n, count, factor, x, a + i, out + i, 4);
     if (i + 6 <= n)
