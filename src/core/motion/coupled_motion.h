@@ -1,6 +1,6 @@
-/* Free vibration of a system whose damping couples its modes (an isolated building, linked neighbours), over whole intervals of the
- * ground motion, by the exact propagator of one interval. With x = (q, q', a, b) and the ground acceleration a + b t/dt
- * in it,
+/* Free vibration of a system whose damping couples its modes (an isolated building, linked neighbours), or of one mode
+ * alone, over whole intervals of the ground motion, by the exact propagator of one interval. With x = (q, q', a, b) and
+ * the ground acceleration a + b t/dt in it,
  *
  *     x' = A x,   x(t + dt) = exp(A dt) x(t),
  *
@@ -8,6 +8,7 @@
  *
  *     loss = int q'^T D q' dt = x^T L x,   input = -int (gamma . q') a_g dt = a (W_a . x) + b (W_b . x).
  *
+ * While a storey yields, A has Omega^2 + kappa g g^T in place of Omega^2, kappa = -(1 - r) k, and x is about the rest.
  * Propagator and forms are made over a part of the interval short enough for power series and one quadrature, and
  * doubled: E(2h) = E E, L(2h) = L + E^T L E, and W likewise (scaling and squaring: Moler and Van Loan, SIAM Review 45
  * (2003) 3-49). Not for dashpots whose own rates are far above 1/dt: the squares would do, but the bounds of
