@@ -408,8 +408,8 @@ is "by its line" says "hazard.csv:2: "
 is "thud uncertainty: table, files and figures" gives 0 uncertainty towers --set gap=12cm --samples 12 --indices -j 2 -o "$tmp/sure" --quiet
 is "a sentence with shares" shows "^The bumper lowers the mean acceleration of A in [0-9]* % of 24 samples"
 for figure in tornado sampled-ratios; do is "$figure is a picture" is_png "$tmp/sure/$figure.png"; done
-# the input that moves a quantity most stands highest
-sorted() { awk -F, 'NR > 1 && $4 != "" { if (!($1 in first)) { first[$1] = $4; next } d = $4 - first[$1]; if (d < 0) d = -d; if (d > w[$1, $5]) w[$1, $5] = d; if ($5 > n) n = $5 }
+# the input that moves a quantity most stands highest: from the least to the largest of nominal and both ends
+sorted() { awk -F, 'NR > 1 && $4 != "" { if (!($1 in first)) { first[$1] = $4; next } d = $4 - first[$1]; if (d > hi[$1, $5]) hi[$1, $5] = d; if (d < lo[$1, $5]) lo[$1, $5] = d; w[$1, $5] = hi[$1, $5] - lo[$1, $5]; if ($5 > n) n = $5 }
     END { for (p in first) for (i = 2; i <= n; i++) { if (w[p, i] < w[p, i - 1]) bad++; seen++ } exit !(seen >= 20 && !bad) }' "$tmp/sure/tornado.csv"; }
 is "the tornado is sorted in each of its panels" sorted
 one() { "$THUD" uncertainty towers --set gap=12cm --samples 12 --indices -j 1 --csv --quiet | cmp - "$tmp/sure/uncertainty.csv"; }

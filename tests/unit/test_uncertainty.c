@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/sweep/uncertainty_study.h"
 #include "base/quantity.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"
@@ -494,6 +495,20 @@ START_TEST(samples_are_runs)
 END_TEST
 
 Suite *thud_suite(void);
+/* An input at both of whose ends a quantity is larger than between them moves it, however alike the ends are. */
+START_TEST(the_strongest_input_is_that_of_the_widest_span)
+{
+    const struct thud_uncertainty inputs = {.ninputs = 3};
+    const struct thud_uncertainty_study study = {.uncertainty = &inputs};
+    const struct thud_uncertainty_told told = {
+        .nominal = 1, .of = {[THUD_INPUT_LEAST] = {0.9, 1.5, 1.0}, [THUD_INPUT_MOST] = {1.1, 1.5, 0.7}}};
+    ck_assert_double_eq_tol(thud_uncertainty_span(&told, 0), 0.2, 1e-15);
+    ck_assert_double_eq_tol(thud_uncertainty_span(&told, 1), 0.5, 1e-15);
+    ck_assert_double_eq_tol(thud_uncertainty_span(&told, 2), 0.3, 1e-15);
+    ck_assert_int_eq(thud_uncertainty_strongest(&study, &told), 1);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("uncertainty");
@@ -515,6 +530,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, changes_of_a_scene);
     tcase_add_test(tcase, a_shear_needs_struck_columns);
     tcase_add_test(tcase, samples_are_runs);
+    tcase_add_test(tcase, the_strongest_input_is_that_of_the_widest_span);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -26,19 +26,6 @@ static const char *unit(const struct thud_quantity_of_run *q)
     return name ? name : "";
 }
 
-/* One of a list of pieces in lines of no more than 80 columns; *column: where the line is, 0 at its beginning. */
-static void put_piece(struct thud_text *out, const char *piece, bool last, int indent, int *column)
-{
-    enum { COLUMNS_MAX = 80 };
-    int width = (int)strlen(piece) + !last;
-    if (*column > indent && *column + 1 + width > COLUMNS_MAX) {
-        thud_text_append(out, "\n%*s", indent, "");
-        *column = indent;
-    }
-    thud_text_append(out, " %s%s", piece, last ? "\n" : ",");
-    *column += 1 + width;
-}
-
 void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *text, size_t size)
 {
     const struct thud_drawn_input *drawn = &u->input[i];
@@ -59,27 +46,38 @@ void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *
 
 static void put_inputs(const struct thud_uncertainty *u, struct thud_text *out)
 {
-    static const char head[] = "uncertain:";
+    enum { INDENT = 11, COLUMNS = 80 };
     char text[160];
-    int indent = (int)sizeof head - 1, column = indent;
-    thud_text_append(out, "%s", head);
+    thud_text_append(out, "uncertain:");
     for (int i = 0; i < u->ninputs; i++) {
         thud_uncertainty_input_text(u, i, text, sizeof text);
-        put_piece(out, text, i + 1 == u->ninputs, indent, &column);
+        for (char *c = text; (c = strchr(c, ' ')) != NULL;) /* stays in one line */
+            *c = '\t';
+        thud_append(text, sizeof text, "%s", i + 1 < u->ninputs ? "," : "");
+        thud_text_wrap(out, text, INDENT, COLUMNS);
     }
-    thud_text_append(out, "\n");
+    thud_text_append(out, "\n\n");
 }
 
-static double range_of(const struct thud_uncertainty_told *told, int i)
+bool thud_uncertainty_has_ratios(const struct thud_uncertainty *u)
 {
-    return fabs(told->of[THUD_INPUT_MOST][i] - told->of[THUD_INPUT_LEAST][i]);
+    for (int q = 0; q < u->nquantities; q++)
+        if (thud_quantity_is_ratio(&u->quantity[q]))
+            return true;
+    return false;
+}
+
+double thud_uncertainty_span(const struct thud_uncertainty_told *told, int input)
+{
+    const double least = told->of[THUD_INPUT_LEAST][input], most = told->of[THUD_INPUT_MOST][input];
+    return fmax(fmax(least, most), told->nominal) - fmin(fmin(least, most), told->nominal);
 }
 
 int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told)
 {
     int most = 0;
     for (int i = 1; i < study->uncertainty->ninputs; i++)
-        if (range_of(told, i) > range_of(told, most))
+        if (thud_uncertainty_span(told, i) > thud_uncertainty_span(told, most))
             most = i;
     return most;
 }
@@ -206,9 +204,8 @@ static bool has_indices(const struct thud_uncertainty *u, int q)
 {
     if (u->quantity[q].measure == THUD_MEASURE_GAP)
         return true;
-    for (int i = 0; i < u->nquantities; i++)
-        if (thud_quantity_is_ratio(&u->quantity[i]))
-            return thud_quantity_is_ratio(&u->quantity[q]);
+    if (thud_uncertainty_has_ratios(u))
+        return thud_quantity_is_ratio(&u->quantity[q]);
     return u->quantity[q].measure != THUD_MEASURE_MEAN_ACCELERATION &&
            u->quantity[q].measure != THUD_MEASURE_MEAN_DRIFT;
 }

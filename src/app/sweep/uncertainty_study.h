@@ -9,6 +9,7 @@
 #include "io/file/made_by.h"
 #include "io/file/schema.h"
 #include "io/result/sweep_journal.h"
+#include "plot/figure/figure.h"
 #include "study/uncertainty/uncertainty.h"
 
 enum thud_sampling { THUD_SAMPLING_LATIN_HYPERCUBE, THUD_SAMPLING_SOBOL, THUD_SAMPLINGS };
@@ -64,7 +65,11 @@ struct thud_uncertainty_told {
     double between;                    /* share of the variance that lies between the ground motions' means */
     double of[THUD_OF_INPUTS][THUD_DRAWN_MAX];
 };
-/* The input that moves a quantity most when changed alone. */
+/* Whether there are quantities of a bumper or link over those without. */
+bool thud_uncertainty_has_ratios(const struct thud_uncertainty *uncertainty);
+/* How far an input alone moves a quantity: from the least to the largest of its nominal value and those at the ends. */
+double thud_uncertainty_span(const struct thud_uncertainty_told *told, int input);
+/* The input that moves it most. */
 int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told);
 /* "gap +-5 %", "contact-stiffness by a factor of 2": the i-th input in words. */
 void thud_uncertainty_input_text(const struct thud_uncertainty *uncertainty, int i, char *text, size_t size);
@@ -80,5 +85,9 @@ enum thud_uncertainty_table {
 };
 struct thud_rows thud_uncertainty_rows(const struct thud_uncertainty_study *study, enum thud_uncertainty_table table);
 void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out);
+/* Its figures, counted from 0: the span of each input; with samples of ratios, their distributions. Ask
+ * thud_figure_check. */
+int thud_uncertainty_figure_count(const struct thud_uncertainty_study *study);
+struct thud_figure *thud_uncertainty_figure(const struct thud_uncertainty_study *study, int index);
 /* A row for each sample: place of every input (0 to 1; the ground motion by name). */
 void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
