@@ -44,10 +44,12 @@ static double lightest(const struct thud_model *m)
 }
 
 /* What a number of each kind may be small against: the lightest floor at the largest accelerations and speeds. */
-static void find_natural(struct scenes_solution *a, const struct thud_model *m, double end_s)
+static void find_natural(struct scenes_solution *a, const struct thud_model *m, double ground_mps2, double end_s)
 {
     double mass = lightest(m), speed = a->largest[SCENES_VELOCITY];
-    a->natural[SCENES_FORCE] = mass * a->largest[SCENES_ACCELERATION];
+    /* bodies that the ground does not move stand still but for its rounding, which a contact between them may pass on */
+    a->natural[SCENES_ACCELERATION] = 1e-4 * ground_mps2;
+    a->natural[SCENES_FORCE] = mass * fmax(a->natural[SCENES_ACCELERATION], a->largest[SCENES_ACCELERATION]);
     a->natural[SCENES_PLASTIC] = a->largest[SCENES_DRIFT];
     a->natural[SCENES_LINK_FORCE] = a->natural[SCENES_COLUMN_SHEAR] = a->natural[SCENES_COLUMN_MOMENT] =
         a->natural[SCENES_FORCE];
@@ -59,7 +61,7 @@ static void find_natural(struct scenes_solution *a, const struct thud_model *m, 
 }
 
 static void take(struct scenes_solution *a, const struct thud_scene *scene, const struct thud_model *model,
-                 const struct thud_run *run)
+                 const struct thud_record *record, const struct thud_run *run)
 {
     const struct thud_result *r = thud_run_result(run);
     int floors = 0, count;
@@ -110,7 +112,7 @@ static void take(struct scenes_solution *a, const struct thud_scene *scene, cons
             add(a, SCENES_LINK_STROKE, wall, i, r->link[i].stroke.value);
             add(a, SCENES_LINK_LOST, wall, i, r->link[i].lost_j);
         }
-    find_natural(a, model, r->end_s);
+    find_natural(a, model, record ? thud_record_peak(record) : 0, r->end_s);
     a->error_ratio = r->energy.error_ratio;
     a->steps = r->work.steps;
 }
@@ -140,7 +142,7 @@ void scenes_run(const struct scenes_one *one, const struct scenes_options *how, 
         out->stopped = how->most > 0 && thud_run_result(run)->work.steps > how->most;
     }
     if (run)
-        take(out, &one->scene, model, run);
+        take(out, &one->scene, model, one->record, run);
     thud_run_free(run);
     thud_model_free(model);
 }

@@ -4,13 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/largest.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
 
-enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 19 }; /* 1/19! is below rounding */
+enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 24 }; /* 2^24/24! is below rounding */
 
-/* Longest part of the interval that the series are made of, by the fastest rate. */
-static const double longest_rad = 1;
+/* Longest part of the interval that the series are made of, by the fastest rate in it: each doubling adds rounding. */
+static const double longest_rad = 2;
 
 /* out (rows x columns) += scale a b, where a is (rows x inner), or (inner x rows) if turned. */
 static void add_product(int rows, int inner, int columns, double scale, const double *a, bool turned, const double *b,
@@ -192,7 +193,8 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
     if (status != THUD_OK)
         return status;
     int doublings = 0;
-    while (ldexp(state->fastest_radps * part.dt_s, -doublings) > longest_rad)
+    const double rate = mode < 0 ? state->fastest_radps : thud_larger(m->omega[mode], m->dashpot[mode]);
+    while (ldexp(rate * part.dt_s, -doublings) > longest_rad)
         doublings++;
     part.h_s = ldexp(part.dt_s, -doublings);
     fill_rate(motion, &part, m, p);
