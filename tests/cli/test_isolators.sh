@@ -74,6 +74,11 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "counts displacements past a limit" [ "$(awk -F, '$1 == "isolator:20cm" { printf "%s ", $6 }' "$tmp/f/fragility.csv")" = "0 1 " ]
     is "a sweep over friction" gives 0 sweep isolated-pendulum --vary structures.2.isolator.friction=3%,8% --cases none --csv --quiet
     is "runs each" [ "$(grep -c ',isolated,1,' "$tmp/out")" -eq 2 ]
+    # isolators that slide go on in blocks: where a block begins must change no bit
+    is "a study of gaps that share their start" gives 0 sweep isolated-lead-rubber --vary interfaces.1.gap=3cm,12cm --cases none --csv --quiet
+    cp "$tmp/out" "$tmp/shared"
+    is "and one whose runs begin at rest" gives 0 sweep isolated-lead-rubber --vary interfaces.1.gap=3cm,12cm --cases none --csv --quiet --without start
+    is "give the same bytes" cmp -s "$tmp/shared" "$tmp/out"
     is "uncertainty" gives 0 uncertainty isolated-pendulum --samples 4 --quiet
     is "OpenSees takes them" gives 0 export opensees isolated-pendulum --set interfaces.1.contact.law=kelvin-voigt \
         --set interfaces.2.contact.law=kelvin-voigt

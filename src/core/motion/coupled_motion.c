@@ -226,18 +226,18 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
     const int n = c->n;
     double *now = c->now, *next = now + c->size;
     c->summed = 0;
-    for (int j = 0; j < n; j++) {
-        now[j] = q[j * apart] - s[j];
-        now[n + j] = qd[j * apart];
-    }
     for (int t = 0; t < intervals; t++) {
+        for (int j = 0; j < n; j++) { /* of the interval alone, wherever the block began */
+            now[j] = q[j * apart + t] - s[j];
+            now[n + j] = qd[j * apart + t];
+        }
         now[2 * n] = ground[t];
         now[2 * n + 1] = after[t] - ground[t];
         memset(next, 0, 2 * (size_t)n * sizeof *next);
         thud_add_rows(2 * n, c->size, 1, now, c->step, next);
         for (int j = 0; j < n; j++) {
-            q[j * apart + t + 1] = (now[j] = next[j]) + s[j];
-            qd[j * apart + t + 1] = now[n + j] = next[n + j];
+            q[j * apart + t + 1] = next[j] + s[j];
+            qd[j * apart + t + 1] = next[n + j];
         }
     }
 }
