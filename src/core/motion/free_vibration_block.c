@@ -129,15 +129,12 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
 
 void thud_free_vibration_speeds(struct thud_free_vibration *f, const struct thud_model *m)
 {
+    double energy[ENDS];
     for (int j = 0; j < f->n; j++) {
         const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, s = f->shift[j], w2 = m->omega[j] * m->omega[j];
-        thud_vec2 most = {0, 0};
-        for (int t = -(f->ends % 2); t < f->ends; t += 2) { /* of an odd number, the first one twice */
-            const int at = t < 0 ? 0 : t;
-            const thud_vec2 x = thud_vec2_at(q + at) - s, v = thud_vec2_at(qd + at), energy = v * v + w2 * (x * x);
-            most = thud_vec2_larger(energy, most);
-        }
-        f->speed[j] = sqrt(thud_larger(most[0], most[1]));
+        for (int t = 0; t < f->ends; t++)
+            energy[t] = qd[t] * qd[t] + w2 * ((q[t] - s) * (q[t] - s));
+        f->speed[j] = sqrt(thud_largest(energy, f->ends));
     }
 }
 
