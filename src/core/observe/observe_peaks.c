@@ -243,8 +243,8 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
                  floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures,
                  shapes = (size_t)m->nshapes;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
-    peaks->block = calloc(floors + structures + 2 * shapes * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
-                              THUD_SEGMENT_TERMS * (stride + n) + 2 * n + 1,
+    peaks->block = calloc(floors + structures * (1 + (size_t)m->nrows) + 2 * shapes * stride +
+                              (MODE_ROWS + FLOOR_ROWS) * stride + THUD_SEGMENT_TERMS * (stride + n) + 2 * n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
     peaks->made = calloc(stride + 1, sizeof *peaks->made);
@@ -257,7 +257,8 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     }
     peaks->per_speed = peaks->block;
     peaks->ground = peaks->per_speed + floors;
-    peaks->shape = peaks->ground + structures;
+    peaks->per_force = peaks->ground + structures;
+    peaks->shape = peaks->per_force + structures * (size_t)m->nrows;
     peaks->modal = peaks->shape + 2 * shapes * stride;
     peaks->value = peaks->modal + MODE_ROWS * stride;
     peaks->series = peaks->value + FLOOR_ROWS * stride;

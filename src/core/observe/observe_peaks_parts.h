@@ -3,7 +3,7 @@
 
 #include "core/observe/observe_peaks.h"
 
-/* response_bound.c. Fills peaks->per_speed. */
+/* response_bound.c. Fills peaks->per_speed and peaks->per_force. */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state);
 /* Fills peaks->push and peaks->rest with the forces of the segment. */
 void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg);

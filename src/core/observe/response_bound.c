@@ -18,13 +18,17 @@
  * is the rest under these forces as they are at the start: what they change by from there on acts, and the floors' places
  * at rest are added to what S bounds. */
 
-/* Fills peaks->per_speed. A total acceleration without contacts is -phi_i . (Omega^2 x + D v): of (Omega x, v), whose norm
+/* Fills peaks->per_force and peaks->per_speed. A total acceleration without contacts is -phi_i . (Omega^2 x + D v): of (Omega x, v), whose norm
  * is S, with the factors (Omega phi_i, D phi_i). */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
+        for (int row = 0; row < m->nrows; row++) {
+            const double *g = m->jacobian + row * m->nmodes + p->first_mode;
+            peaks->per_force[s * m->nrows + row] = sqrt(thud_dot(p->modes, g, g));
+        }
         for (int i = 0; i < p->dofs; i++) {
             double sum[THUD_FLOOR_QUANTITIES] = {0};
             for (int j = 0; j < p->modes; j++) {
@@ -104,18 +108,6 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
     }
 }
 
-/* Size of the forces of all rows on the structure, and on what it is tied to, in modal coordinates, at most. */
-static double largest_force(const struct thud_peaks *peaks, const struct thud_model *m,
-                            const struct thud_model_structure *p)
-{
-    double total = 0;
-    for (int i = 0; i < peaks->pushes; i++) {
-        const double *g = m->jacobian + peaks->push[i].row * m->nmodes + p->first_mode;
-        total += sqrt(thud_dot(p->modes, g, g)) * peaks->push[i].bound;
-    }
-    return total;
-}
-
 /* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
 struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
                                                        const struct thud_segment *seg, int structure, double s)
@@ -124,7 +116,9 @@ struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *
     const struct thud_model_structure *p = &m->structure[structure];
     if (seg->interpolates)
         return (struct thud_response_bound){INFINITY, INFINITY};
-    double energy = 0, force = largest_force(peaks, m, p);
+    double energy = 0, force = 0;
+    for (int i = 0; i < peaks->pushes; i++)
+        force += peaks->per_force[structure * m->nrows + peaks->push[i].row] * peaks->push[i].bound;
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         const double q = state->q[j] - (peaks->rests ? peaks->rest[j] : 0);
         energy += state->qd[j] * state->qd[j] + m->spring[j] * q * q;
