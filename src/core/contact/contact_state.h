@@ -62,7 +62,7 @@ struct thud_state {
     /* Time is grid * grid_dt_s + offset_s; the ground motion has its kinks at the grid. */
     double grid_dt_s, offset_s, end_s;
     long grid;
-    double *q, *qd;                     /* (nmodes) */
+    double *q, *qd;                     /* (nmodes) in one block */
     struct thud_contact_state *contact; /* (ncontacts) */
     struct thud_storey_state *storey;   /* (nstoreys) */
     int nactive;                        /* contacts CLOSED or STICKING */
@@ -195,8 +195,9 @@ double thud_state_default_step(const struct thud_state *state);
 /* THUD_DIVERGED: contacts stick or collide at once whose forces the modes that stay do not tell apart. */
 enum thud_status thud_state_too_few_modes(const struct thud_state *state, struct thud_error *err);
 
-/* Indentation of contact c, and its rate. */
+/* Indentation of contact c, and its rate; both, out (2), from one walk through the modes. */
 double thud_contact_indentation(const struct thud_state *state, int c);
+void thud_contact_motion(const struct thud_state *state, int c, double *out);
 /* Elastic energy that contact c holds now. */
 double thud_contact_stored(const struct thud_state *state, int c);
 double thud_contact_rate(const struct thud_state *state, int c);

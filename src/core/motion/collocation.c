@@ -519,12 +519,14 @@ static void start_forces(const struct thud_state *state, struct thud_collocation
     for (int a = 0; a < x->nactive; a++) {
         const int c = x->active[a];
         struct beginning *begins = &x->begins[a];
-        const double d = thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
-        x->motion[a * x->by->points] = thud_vec2_set(d, thud_contact_rate(state, c));
+        thud_vec2 *motion = x->motion + a * x->by->points;
+        thud_contact_motion(state, c, (double *)motion);
+        if (thud_row_starts_at_zero(state, c))
+            (*motion)[0] = 0;
         *begins = (struct beginning){0};
-        begins->force = thud_row_sticks(state, c) ? state->force_now[c]
-                                                  : law_at(thud_row_branch(state, c), x->motion[a * x->by->points],
-                                                           &begins->by_d, &begins->by_v);
+        begins->force = thud_row_sticks(state, c)
+                            ? state->force_now[c]
+                            : law_at(thud_row_branch(state, c), *motion, &begins->by_d, &begins->by_v);
         x->largest_n[c] = thud_larger(x->largest_n[c], fabs(begins->force));
     }
 }
