@@ -33,8 +33,8 @@ struct thud_peaks {
     int stride;                 /* floors of the largest structure, an even number */
     double *per_speed;          /* (quantities x ndof): bound of a floor's value for a structure's S of 1 */
     double *ground;             /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
-    double *per_force;          /* (nstructures x nrows) and so of a row's force, also on what the structure is tied to */
-    double *shape;              /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
+    double *per_force; /* (nstructures x nrows) and so of a row's force, also on what the structure is tied to */
+    double *shape;     /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
     /* A segment, or one structure in it */
     struct thud_row_push *push; /* (pushes) of rows that have a force */
     int pushes;
