@@ -291,6 +291,8 @@ double thud_model_floor(const struct thud_model *model, int dof, const double *m
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
 /* Returns the left side's value minus the right side's, from modal values. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
+/* The same of two rows of modal values that stand `apart`, out (2). */
+void thud_model_gap_pair(const struct thud_model *model, int c, const double *modal, int apart, double *out);
 
 /* Returns d of a link, or its rate, from modal values. */
 double thud_model_link(const struct thud_model *model, int link, const double *modal);

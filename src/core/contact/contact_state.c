@@ -120,13 +120,8 @@ double thud_contact_rate(const struct thud_state *state, int c)
 
 void thud_contact_motion(const struct thud_state *state, int c, double *out)
 {
-    const struct thud_model_side *l = &state->model->contact[c].left, *r = &state->model->contact[c].right;
-    const int apart = (int)(state->qd - state->q);
-    thud_vec2 left[2] = {0}, right[2] = {0};
-    thud_add_dots(l->modes, l->row, state->q + l->first_mode, apart, 2, left);
-    thud_add_dots(r->modes, r->row, state->q + r->first_mode, apart, 2, right);
-    out[0] = thud_vec2_sum(left[0]) - thud_vec2_sum(right[0]) - thud_state_clearance(state, c);
-    out[1] = thud_vec2_sum(left[1]) - thud_vec2_sum(right[1]);
+    thud_model_gap_pair(state->model, c, state->q, (int)(state->qd - state->q), out);
+    out[0] -= thud_state_clearance(state, c);
 }
 
 double thud_row_force(const struct thud_state *state, int row, double d, double v)

@@ -848,13 +848,28 @@ void thud_model_sides(const struct thud_model *model, int c, const double *modal
 }
 
 /* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */
-double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal)
+/* Of so many rows of modal values that stand `apart`, at most two, out (count). */
+static inline void gap_sums(const struct thud_model *model, int c, const double *modal, int apart, const int count,
+                            double *out)
 {
     const struct thud_model_side *l = &model->contact[c].left, *r = &model->contact[c].right;
-    thud_vec2 left = {0, 0}, right = {0, 0};
-    thud_add_dots(l->modes, l->row, modal + l->first_mode, 0, 1, &left);
-    thud_add_dots(r->modes, r->row, modal + r->first_mode, 0, 1, &right);
-    return thud_vec2_sum(left) - thud_vec2_sum(right);
+    thud_vec2 left[2] = {0}, right[2] = {0};
+    thud_add_dots(l->modes, l->row, modal + l->first_mode, apart, count, left);
+    thud_add_dots(r->modes, r->row, modal + r->first_mode, apart, count, right);
+    for (int i = 0; i < count; i++)
+        out[i] = thud_vec2_sum(left[i]) - thud_vec2_sum(right[i]);
+}
+
+double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal)
+{
+    double sum;
+    gap_sums(model, c, modal, 0, 1, &sum);
+    return sum;
+}
+
+void thud_model_gap_pair(const struct thud_model *model, int c, const double *modal, int apart, double *out)
+{
+    gap_sums(model, c, modal, apart, 2, out);
 }
 
 double thud_model_link(const struct thud_model *model, int link, const double *modal)
