@@ -141,12 +141,10 @@ static int intervals_left(struct thud_free_vibration *f, const struct thud_state
 
 int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud_state *state)
 {
-    const struct thud_model *m = state->model;
     int tried = intervals_left(f, state);
     if (tried == 0)
         return 0;
     thud_free_vibration_fill(f, state, tried);
-    thud_free_vibration_speeds(f, m);
     int intervals = thud_free_vibration_until_yield(f, state, thud_free_vibration_until_contact(f, state, tried));
     intervals = thud_free_vibration_until_collapse(f, state, intervals);
     f->size = intervals < tried                         ? SHORT_BLOCK

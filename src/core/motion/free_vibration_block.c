@@ -92,6 +92,17 @@ static void shift_modes(struct thud_free_vibration *f, const struct thud_state *
         s[j] -= c->soft_npm * rest / by * c->soft[j] / m->spring[c->first_mode + j];
 }
 
+static void fill_speeds(struct thud_free_vibration *f, const struct thud_model *m)
+{
+    double energy[ENDS];
+    for (int j = 0; j < f->n; j++) {
+        const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, s = f->shift[j], w2 = m->omega[j] * m->omega[j];
+        for (int t = 0; t < f->ends; t++)
+            energy[t] = qd[t] * qd[t] + w2 * ((q[t] - s) * (q[t] - s));
+        f->speed[j] = sqrt(thud_largest(energy, f->ends));
+    }
+}
+
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
     shift_modes(f, state);
@@ -125,17 +136,7 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
     const double h = f->dt_s / f->pieces;
     thud_segment_begin(state, &f->series.seg, h, thud_segment_all_terms(state, h)); /* forces, constant in the block */
     f->ends = intervals + 1;
-}
-
-void thud_free_vibration_speeds(struct thud_free_vibration *f, const struct thud_model *m)
-{
-    double energy[ENDS];
-    for (int j = 0; j < f->n; j++) {
-        const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS, s = f->shift[j], w2 = m->omega[j] * m->omega[j];
-        for (int t = 0; t < f->ends; t++)
-            energy[t] = qd[t] * qd[t] + w2 * ((q[t] - s) * (q[t] - s));
-        f->speed[j] = sqrt(thud_largest(energy, f->ends));
-    }
+    fill_speeds(f, state->model);
 }
 
 /* `count` rows of a matrix (columns each) times rows of modes, by four ends at a time (rows are long enough): the more at

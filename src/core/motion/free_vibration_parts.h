@@ -24,8 +24,8 @@ bool thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct
 /* free_vibration_block.c: the modal states at the ends of the intervals from the state on, and the modes' largest
  * speeds. */
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
-void thud_free_vibration_speeds(struct thud_free_vibration *f, const struct thud_model *m);
-/* -(Omega^2 x + D v), with Omega^2 + kappa g g^T while a storey yields, of the modes of a structure at the ends of the block, all rows; shifted: x is the modes' places. */
+/* -(Omega^2 x + D v), with Omega^2 + kappa g g^T while a storey yields, of the modes of a structure at the ends of the
+ * block, all rows; shifted: x is the modes' places. */
 void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
                                 const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
                                 double *out);

@@ -18,8 +18,8 @@
  * is the rest under these forces as they are at the start: what they change by from there on acts, and the floors' places
  * at rest are added to what S bounds. */
 
-/* Fills peaks->per_force and peaks->per_speed. A total acceleration without contacts is -phi_i . (Omega^2 x + D v): of (Omega x, v), whose norm
- * is S, with the factors (Omega phi_i, D phi_i). */
+/* Fills peaks->per_force and peaks->per_speed. A total acceleration without contacts is -phi_i . (Omega^2 x + D v): of
+ * (Omega x, v), whose norm is S, with the factors (Omega phi_i, D phi_i). */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
