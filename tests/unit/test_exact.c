@@ -225,6 +225,34 @@ END_TEST
 
 /* An undamped swing of 5 cm between two walls, 4 and 4.5 cm away: it strikes them in turn, wherever it began, and as
  * springs lose nothing each is as deep as the energy says. Both come near in one block of free vibration, at other times. */
+/* The same again and again, so shortly that all of a contact lies before the first point at which a step looks for its
+ * force. A mass on a spring loses nothing at a Hertz contact: it comes back each time, and the depth follows from its
+ * energy. */
+START_TEST(grazing_shorter_than_a_step)
+{
+    static const double w = 25, v = 10, m = 160e3, k = 2.5e10, n = 1.5;
+    const double amplitude = v / w;
+    struct march_law law = march_law("hertz", "stiffness", k, NULL);
+    struct thud_record *still = march_motion(0);
+    for (double half_s = 5e-5; half_s < 2e-3; half_s *= 2)
+        for (double tolerance = 1e-6; tolerance > 5e-11; tolerance *= 1e-4) {
+            const double free_m = v * w * half_s * half_s / 2, gap = amplitude - free_m;
+            struct thud_model *model = march_mass_and_wall(m, w, 0, v, gap, &law);
+            struct march got = exact(model, still, tolerance, 0);
+            double depth = free_m;
+            for (int i = 0; i < 50; i++)
+                depth = amplitude * sqrt(1 - 2 * k * pow(depth, n + 1) / (n + 1) / (m * v * v)) - gap;
+            const struct thud_contact_result *c = &got.result->contact[0];
+            ck_assert_int_eq(c->impacts, 32); /* 8 s over 0.251 s */
+            ck_assert_double_eq_tol(c->indentation.value / depth, 1, 1e-5);
+            ck_assert_double_eq_tol(c->force.value / (k * pow(depth, n)), 1, fmax(1e3 * tolerance, 1e-6));
+            march_free(&got);
+            thud_model_free(model);
+        }
+    thud_record_free(still);
+}
+END_TEST
+
 START_TEST(from_wall_to_wall)
 {
     const double omega = 10, amplitude = 0.05, k = 100, clearance[] = {0.04, 0.045};
@@ -484,6 +512,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, identical_neighbours_never_touch);
     tcase_add_test(tcase, a_gap_too_wide_to_close_changes_no_bit);
     tcase_add_test(tcase, grazing);
+    tcase_add_test(tcase, grazing_shorter_than_a_step);
     tcase_add_test(tcase, from_wall_to_wall);
     tcase_add_test(tcase, touch_and_release_in_one_step);
     tcase_add_test(tcase, sticking_beyond_the_largest_strain);
