@@ -249,7 +249,7 @@ START_TEST(stiff_contacts_do_not_chatter)
     struct scenes_one one;
     struct scenes_solution solution;
     scenes_draw(&one, 2551);
-    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-4, .most = 20000}, &solution);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-4, .most = 100000}, &solution);
     ck_assert_msg(solution.status == THUD_OK, "%s", solution.err.what);
     ck_assert_msg(!solution.stopped, "%ld steps", solution.steps);
     scenes_answer_clear(&solution);

@@ -63,8 +63,10 @@ static void forget(const struct thud_segment *seg, int nrows)
 static void two_bounds(const struct thud_segment *seg, int nmodes, int j, bool single)
 {
     static const double by_third[THUD_SEGMENT_TERMS] = {
-        0,   0,   0,   6,   24,   60,   120,  210, /* k (k-1) (k-2) */
-        336, 504, 720, 990, 1320, 1716, 2184, 2730, 3360, 4080, 4896, 5814, 6840, 7980, 9240, 10626};
+        /* k (k-1) (k-2) */
+        0,     0,     0,     6,     24,    60,    120,   210,   336,   504,   720,   990,   1320,  1716,
+        2184,  2730,  3360,  4080,  4896,  5814,  6840,  7980,  9240,  10626, 12144, 13800, 15600, 17550,
+        19656, 21924, 24360, 26970, 29760, 32736, 35904, 39270, 42840, 46620, 50616, 54834};
     const double *q = seg->q + nmodes + j;
     thud_vec2 sum = {0, 0}, third = {0, 0};
     for (int order = 1; order < seg->terms; order++, q += nmodes) {
@@ -404,7 +406,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
         if (thud_row_by_branch(state, c) && !thud_row_starts_at_zero(state, c))
             seg->notes->cached[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
-    return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m);
+    return seg->terms < THUD_SEGMENT_TERMS_TRIED ? 0 : thud_segment_tail(seg, m);
 }
 
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor)

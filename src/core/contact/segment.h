@@ -8,9 +8,10 @@
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
 
-enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
-/* Longest piece times the fastest rate: what the terms leave out of it is below half of epsilon, 2.1^24/24!. */
-#define THUD_SEGMENT_ANGLE 2.1
+/* Coefficients of a polynomial; and of the first try in linear contact, which its tail shortens. */
+enum { THUD_SEGMENT_TERMS = 40, THUD_SEGMENT_TERMS_LEAST = 10, THUD_SEGMENT_TERMS_TRIED = 24 };
+/* Longest piece times the fastest rate: what the terms leave out of it is about half of epsilon, 6.3^40/40!. */
+#define THUD_SEGMENT_ANGLE 6.3
 
 /* Modal state and what follows from it. */
 struct thud_motion {

@@ -8,7 +8,7 @@
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
-enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096, TERMS_MAX = 32 };
+enum { DEPTH_MAX = 48, INTERVALS_MAX = 4096, TERMS_MAX = 40 };
 
 /* The highest even and odd orders, and which even order that is. */
 static inline thud_vec2 top_pair(const double *c, int n, int *k)

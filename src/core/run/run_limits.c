@@ -22,7 +22,7 @@ enum thud_status thud_run_check_options(const struct thud_run_options *o, const 
     return THUD_OK;
 }
 
-/* Also for methods that choose their steps. A series holds for 2.1 rad of the fastest motion. Buildings turn by up to 100 rad/s x 0.02 s in an interval of
+/* Also for methods that choose their steps. A series holds for 6.3 rad of the fastest motion. Buildings turn by up to 100 rad/s x 0.02 s in an interval of
  * the ground motion, and by 1e5 rad in a run. */
 static const double interval_most_rad = 1e4, run_most_rad = 3e7;
 /* Of a ground motion and the time after it: at 5 ns for each floor and mode of a building, a minute of one of 10 floors. */
