@@ -176,6 +176,39 @@ START_TEST(a_series_is_of_one_time)
 }
 END_TEST
 
+/* Behind a block that an event has cut short no other is made up to it: its interval is left to a segment at once. */
+START_TEST(an_event_is_looked_for_once)
+{
+    const int storeys[] = {5, 8, 3};
+    struct march_law law = march_law("linear", "stiffness", 2.5e9, NULL);
+    struct thud_record *record = march_motion(1);
+    struct thud_model *model = march_row(3, storeys, _i, 0.01, &law);
+    struct thud_run_options options;
+    struct thud_run *run;
+    int cuts = 0;
+    thud_run_options_init(&options);
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    const struct thud_free_vibration *f = run->free_vibration;
+    for (bool done = false; !done;) {
+        const long fast = run->work.samples_fast, steps = run->work.steps;
+        const int ends = f->ends;
+        const bool cut = f->size == 0;
+        ck_assert_int_eq(thud_run_advance(run, 1, &done, NULL), THUD_OK);
+        if (!cut)
+            continue;
+        cuts++;
+        ck_assert_int_eq(f->ends, ends);
+        ck_assert_int_eq(run->work.samples_fast, fast);
+        ck_assert_int_eq(run->work.steps, steps + 1);
+        ck_assert_int_gt(run->work.events, 0);
+    }
+    ck_assert_int_gt(cuts, 2);
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -185,6 +218,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, a_row_that_does_not_touch, 0, 2); /* 1: isolated, which couples modes */
     tcase_add_loop_test(tcase, touch_begins_where_the_largest_relative_displacement_ends, 0, 2);
     tcase_add_loop_test(tcase, a_series_is_of_one_time, 0, 4);
+    tcase_add_loop_test(tcase, an_event_is_looked_for_once, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -12,7 +12,7 @@
 #include "core/numerics/tolerance.h"
 
 /* PIECES_MOST: of a block of more than one interval, so that a slice of work ends soon where modes are very fast. */
-enum { SHORT_BLOCK = 8, PIECES_MOST = 16384, BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
+enum { SHORT_BLOCK = 16, PIECES_MOST = 16384, BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
 
 /* Interval times the fastest rate of damping that couples modes: above, power series alone are as fast. */
 static const double coupled_most_rad = 1e3;
@@ -142,12 +142,14 @@ static int intervals_left(struct thud_free_vibration *f, const struct thud_state
 int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud_state *state)
 {
     int tried = intervals_left(f, state);
+    f->size = f->size > 0 ? f->size : SHORT_BLOCK;
     if (tried == 0)
         return 0;
     thud_free_vibration_fill(f, state, tried);
     int intervals = thud_free_vibration_until_yield(f, state, thud_free_vibration_until_contact(f, state, tried));
     intervals = thud_free_vibration_until_collapse(f, state, intervals);
-    f->size = intervals < tried                         ? SHORT_BLOCK
+    f->size = intervals == 0                            ? SHORT_BLOCK
+              : intervals < tried                       ? 0
               : 2 * f->size < THUD_FREE_VIBRATION_BLOCK ? 2 * f->size
                                                         : THUD_FREE_VIBRATION_BLOCK;
     f->ends = intervals + 1; /* nothing behind an event is read */

@@ -69,7 +69,7 @@ struct thud_free_vibration {
     double *limit;  /* (ncontacts) gap above which a contact may close in an interval of the block */
     bool *near;     /* (ncontacts) whether it may in the interval looked at */
     int ends;       /* in the block */
-    int size;       /* intervals to try next */
+    int size;       /* intervals to try next; 0: in the next one lies an event */
     long made;      /* series so far: what the work is measured by */
     double *block;
 };

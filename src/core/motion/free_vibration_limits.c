@@ -310,15 +310,16 @@ static double fill_rate(struct thud_free_vibration *f, const struct thud_state *
            thud_free_vibration_bend(f, state->model, state->model->storey[k].structure, c->soft, 3);
 }
 
-/* Intervals until a storey yields, or unloads, at most `intervals`. */
+/* Intervals until a storey yields, or unloads, at most `intervals`: where an end is past that, no series has to show it. */
 int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
     for (int k = 0; k < state->model->nstoreys; k++) {
-        const double limit = k == f->yields ? fill_rate(f, state, k) : fill_drift(f, state, k);
+        const double limit = k == f->yields ? fill_rate(f, state, k) : fill_drift(f, state, k),
+                     past = k == f->yields ? 0 : state->model->storey[k].yield_m + 2 * THUD_TOL_INDENTATION_M;
         if (thud_largest(f->gap, intervals + 1) <= limit && state->storey[k].suppressed == 0)
             continue;
         for (int t = 0; t < intervals; t++)
-            if ((f->gap[t] > limit || f->gap[t + 1] > limit) && yields(f, state, k, t))
+            if ((f->gap[t] > limit || f->gap[t + 1] > limit) && (f->gap[t + 1] > past || yields(f, state, k, t)))
                 intervals = t;
     }
     return intervals;
