@@ -277,27 +277,18 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
     return false;
 }
 
-/* How far the drift of storey k may lie above its values at the ends: a link's is of two floors far apart. */
-static double drift_margin(struct thud_free_vibration *f, const struct thud_model *m, int k)
-{
-    const struct thud_model_storey *storey = &m->storey[k];
-    return storey->link < 0 ? thud_free_vibration_margin(f, m, storey->structure, THUD_FLOOR_DRIFT)
-                            : gap_margin(f, m, &m->contact[m->ncontacts + k]);
-}
-
-/* The size of its drift less what is plastic at the ends into f->gap; returns how large it may be there. */
+/* The size of the drift of storey k (a link's is of two floors far apart) less what is plastic at the ends into f->gap;
+ * returns how large it may be there. */
 static double fill_drift(struct thud_free_vibration *f, const struct thud_state *state, int k)
 {
     const struct thud_model *m = state->model;
-    const struct thud_model_contact *row = &m->contact[m->ncontacts + k];
-    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
-    if (row->left_dof >= 0)
-        thud_free_vibration_values(f, m, row->left.structure, THUD_FLOOR_DISPLACEMENT);
-    if (row->right_dof >= 0)
-        thud_free_vibration_values(f, m, row->right.structure, THUD_FLOOR_DISPLACEMENT);
+    const struct thud_model_storey *storey = &m->storey[k];
+    double margin;
+    thud_free_vibration_gap(f, m, m->ncontacts + k, f->ends, &margin);
     for (int t = 0; t < f->ends; t++)
-        f->gap[t] = fabs(side_value(&row->left, u + t) - side_value(&row->right, u + t) - state->storey[k].plastic_m);
-    return m->storey[k].yield_m - drift_margin(f, m, k);
+        f->gap[t] = fabs(f->gap[t] - state->storey[k].plastic_m);
+    return storey->yield_m -
+           (storey->link < 0 ? thud_free_vibration_margin(f, m, storey->structure, THUD_FLOOR_DRIFT) : margin);
 }
 
 /* Of the storey that yields, the rate of its drift inward. */
