@@ -220,46 +220,67 @@ void thud_coupled_motion_clear(struct thud_coupled_motion *motion)
     *motion = (struct thud_coupled_motion){0};
 }
 
-void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, int apart,
-                                 const double *ground, const double *after, int intervals)
+/* So many pairs of the next q and q', out, by their columns of the propagator. */
+static inline void some_pairs(const struct thud_coupled_motion *c, int first, const int pairs, double *out)
 {
-    const int n = c->n;
+    const double *column = c->step + 2 * first;
+    thud_vec2 sum[8] = {0};
+    for (int k = 0; k < c->size; k++, column += 2 * c->n)
+        for (int i = 0; i < pairs; i++)
+            sum[i] += c->now[k] * ((const thud_vec2_aligned *)column)[i];
+    for (int i = 0; i < pairs; i++)
+        thud_vec2_put(sum[i], out + 2 * (first + i));
+}
+
+void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, double *x,
+                                 int apart, const double *ground, const double *after, int intervals)
+{
+    const int n = c->n, row = c->first_mode * apart;
     double *now = c->now, *next = now + c->size;
     c->summed = 0;
-    for (int t = 0; t < intervals; t++) {
+    for (int t = 0;; t++) {
+        int first = 0;
         for (int j = 0; j < n; j++) { /* of the interval alone, wherever the block began */
-            now[j] = q[j * apart + t] - s[j];
-            now[n + j] = qd[j * apart + t];
+            now[j] = x[row + j * apart + t] = q[row + j * apart + t] - s[c->first_mode + j];
+            now[n + j] = qd[row + j * apart + t];
         }
+        if (t == intervals)
+            return;
         now[2 * n] = ground[t];
         now[2 * n + 1] = after[t] - ground[t];
-        memset(next, 0, 2 * (size_t)n * sizeof *next);
-        thud_add_rows(2 * n, c->size, 1, now, c->step, next);
+        for (; first + 8 <= n; first += 8)
+            some_pairs(c, first, 8, next);
+        for (; first + 6 <= n; first += 6)
+            some_pairs(c, first, 6, next);
+        for (; first + 5 <= n; first += 5)
+            some_pairs(c, first, 5, next);
+        for (; first < n; first++)
+            some_pairs(c, first, 1, next);
         for (int j = 0; j < n; j++) {
-            q[j * apart + t + 1] = next[j] + s[j];
-            qd[j * apart + t + 1] = next[n + j];
+            q[row + j * apart + t + 1] = next[j] + s[c->first_mode + j];
+            qd[row + j * apart + t + 1] = next[n + j];
         }
     }
 }
 
-void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *q, const double *qd, const double *s,
-                             double *moved, int apart, const double *ground, const double *after, int intervals)
+void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *x, const double *qd, int apart,
+                             const double *ground, const double *after, int intervals)
 {
-    const int n = c->n, size = c->size;
+    const int n = c->n, size = c->size, first = c->first_mode;
     if (c->summed == intervals)
         return;
     c->summed = intervals;
-    for (int j = 0; j < n; j++)
-        for (int t = 0; t < intervals; t++)
-            moved[j * apart + t] = q[j * apart + t] - s[j];
     for (int i = 0; i < size; i++) {
         double *out = c->product + i * size;
-        const double *a = i < n ? moved + i * apart : i < 2 * n ? qd + (i - n) * apart : i == 2 * n ? ground : after;
         const int rate = i < n ? 0 : i - n; /* of the rows behind q */
+        const double *a = i < n        ? x + (first + i) * apart
+                          : i < 2 * n  ? qd + (first + rate) * apart
+                          : i == 2 * n ? ground
+                                       : after;
         if (i < n)
             thud_dots(intervals, a, a, apart, n - i, out + i);
         if (i < 2 * n)
-            thud_dots(intervals, a, qd + rate * apart, apart, n - rate, out + n + rate);
+            thud_dots(intervals, a, qd + (first + rate) * apart, apart, n - rate, out + n + rate);
         out[2 * n] = thud_dot(intervals, a, ground);
         out[2 * n + 1] = thud_dot(intervals, a, after);
     }

@@ -40,14 +40,13 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
                                           int system, int mode, int storey, struct thud_error *err);
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
 
-/* Rows of q and qd (n), `apart` doubles each, from their first value on, under the ground accelerations at the start and at the
- * end of each interval, and constant forces under which the modes rest at s (n). */
-void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, const double *s, int apart,
-                                 const double *ground, const double *after, int intervals);
-/* Sums over the intervals of the same rows, of which the following are made; once after each advance. moved (n rows as q)
- * is workspace. */
-void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *q, const double *qd, const double *s,
-                             double *moved, int apart, const double *ground, const double *after, int intervals);
+/* Rows of q, qd and of x = q - s of all modes, `apart` doubles each, from the first value of q and qd on, under the ground
+ * accelerations at the start and at the end of each interval, and constant forces under which the modes rest at s. */
+void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, const double *s, double *x,
+                                 int apart, const double *ground, const double *after, int intervals);
+/* Sums over the intervals of the same rows, of which the following are made; once after each advance. */
+void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *x, const double *qd, int apart,
+                             const double *ground, const double *after, int intervals);
 /* Loss in the dashpot of the link whose index in the model is this; 0 where it has none. */
 double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link);
 /* Adds work of the ground and loss in damping. */

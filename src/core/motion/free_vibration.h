@@ -58,7 +58,7 @@ struct thud_free_vibration {
     double *q, *qd;       /* (n x ENDS) modal state */
     double *acceleration; /* (n x ENDS) of the modes without the ground's, where values have it */
     double *work[3];      /* (n x ENDS) derivatives of the last orders that are bounded, where damping couples modes */
-    double *moved;        /* (n x ENDS) workspace there */
+    double *moved;        /* (n x ENDS) q - s there */
     double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */
     bool *valued;                         /* (QUANTITIES x nstructures) */
     double *gap;                          /* (ENDS) */

@@ -117,12 +117,10 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
         recurrence(f, intervals, true);
     else
         recurrence(f, intervals, false);
-    for (int s = 0; s < f->nsystems; s++) {
-        const int first = f->coupled[s].first_mode, row = first * ENDS;
+    for (int s = 0; s < f->nsystems; s++)
         if (f->coupled[s].size > 0)
-            thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q + row, f->qd + row, f->shift + first,
-                                        ENDS, f->ground, f->after, intervals);
-    }
+            thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q, f->qd, f->shift, f->moved, ENDS,
+                                        f->ground, f->after, intervals);
     f->slope = 0;
     for (int t = 0; t < intervals; t++)
         f->slope = thud_larger(f->slope, fabs(f->after[t] - f->ground[t]) / f->dt_s);
@@ -170,14 +168,13 @@ static void all_rows(const double *row, int rows, int columns, const double *fro
         some_rows(row + i * columns, columns, 1, from, ends, to + (size_t)i * ENDS);
 }
 
-/* -kappa g g^T (x - s) of the storey that yields, added to the rows of its system. */
+/* -kappa g g^T x of the storey that yields, added to the rows of its system. */
 static void soften(const struct thud_free_vibration *f, const struct thud_coupled_motion *c, const double *x,
-                   bool shifted, double *out)
+                   double *out)
 {
-    const double rest = shifted ? thud_dot(c->n, c->soft, f->shift + c->first_mode) : 0;
     for (int t = 0; t < f->ends; t += 2) { /* rows are long enough */
         const int row = c->first_mode * ENDS + t;
-        thud_vec2 drift = {-rest, -rest};
+        thud_vec2 drift = {0, 0};
         for (int j = 0; j < c->n; j++)
             drift += c->soft[j] * thud_vec2_at(x + row + j * ENDS);
         for (int j = 0; j < c->n; j++)
@@ -186,14 +183,13 @@ static void soften(const struct thud_free_vibration *f, const struct thud_couple
 }
 
 void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
-                                const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
-                                double *out)
+                                const struct thud_model_structure *p, const double *x, const double *v, double *out)
 {
     const struct thud_coupled_motion *c = thud_free_vibration_motion(f, p->system);
     if (p->damping)
         all_rows(p->damping, p->modes, p->modes, v + p->first_mode * ENDS, f->ends, out + p->first_mode * ENDS);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        const double s = shifted ? f->shift[j] : 0, spring = m->spring[j], dashpot = m->dashpot[j];
+        const double s = p->damping ? 0 : f->shift[j], spring = m->spring[j], dashpot = m->dashpot[j];
         for (int t = j * ENDS; t < j * ENDS + f->ends; t += 2) { /* rows are long enough */
             thud_vec2 sum = spring * (thud_vec2_at(x + t) - s) + dashpot * thud_vec2_at(v + t);
             if (p->damping)
@@ -202,7 +198,7 @@ void thud_free_vibration_spring(const struct thud_free_vibration *f, const struc
         }
     }
     if (c->soft)
-        soften(f, c, x, shifted, out);
+        soften(f, c, x, out);
 }
 
 static void drift_rows(struct thud_free_vibration *f, const struct thud_model_structure *p)
@@ -228,7 +224,7 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
         return;
     }
     if (quantity == THUD_FLOOR_ACCELERATION)
-        thud_free_vibration_spring(f, m, p, f->q, f->qd, true, f->acceleration);
+        thud_free_vibration_spring(f, m, p, p->damping ? f->moved : f->q, f->qd, f->acceleration);
     const double *from = quantity == THUD_FLOOR_DISPLACEMENT ? f->q
                          : quantity == THUD_FLOOR_VELOCITY   ? f->qd
                                                              : f->acceleration;
@@ -268,14 +264,6 @@ double thud_free_vibration_rate(struct thud_free_vibration *f, const struct thud
     return quantity == THUD_FLOOR_DRIFT
                ? thud_model_drift(p, x, ENDS, floor)
                : x[floor * ENDS] - (second ? m->ground_influence[p->first + floor] * ground : 0);
-}
-
-static void sum_coupled(const struct thud_free_vibration *f, int system, int intervals)
-{
-    struct thud_coupled_motion *c = thud_free_vibration_motion(f, system);
-    const int row = c->first_mode * ENDS;
-    thud_coupled_motion_sum(c, f->q + row, f->qd + row, f->shift + c->first_mode, f->moved + row, ENDS, f->ground,
-                            f->after, intervals);
 }
 
 /* Sums over intervals of products of a mode's motion (x = q - s) and of the ground's. */
@@ -335,9 +323,9 @@ void thud_free_vibration_work(const struct thud_free_vibration *f, int intervals
                  f->tables.work[2][j] * product[4] + f->tables.work[3][j] * product[6];
     }
     for (int s = 0; s < f->nsystems; s++) {
-        const struct thud_coupled_motion *c = thud_free_vibration_motion(f, s);
+        struct thud_coupled_motion *c = thud_free_vibration_motion(f, s);
         if (c->size > 0) {
-            sum_coupled(f, s, intervals);
+            thud_coupled_motion_sum(c, f->moved, f->qd, ENDS, f->ground, f->after, intervals);
             thud_coupled_motion_work(c, &input, &viscous);
         }
     }
@@ -348,10 +336,9 @@ void thud_free_vibration_work(const struct thud_free_vibration *f, int intervals
 double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
                                      int intervals)
 {
-    const int system = model->structure[model->link[link].structure].system;
-    const struct thud_coupled_motion *c = thud_free_vibration_motion(f, system);
+    struct thud_coupled_motion *c = thud_free_vibration_motion(f, model->structure[model->link[link].structure].system);
     if (c->links == 0)
         return 0;
-    sum_coupled(f, system, intervals);
+    thud_coupled_motion_sum(c, f->moved, f->qd, ENDS, f->ground, f->after, intervals);
     return thud_coupled_motion_link_loss(c, link);
 }

@@ -62,9 +62,10 @@ static double make_bound(struct thud_free_vibration *f, const struct thud_model 
     const struct thud_model_structure *p = &m->structure[m->system[system]];
     const int intervals = f->ends - 1;
     const double level = k == 2, slopes = k == 3 ? 1 / f->dt_s : 0; /* how the ground enters */
-    const double *x = k == 2 ? f->q : k == 3 ? f->qd : f->work[(k - 2) % 3], *v = k == 2 ? f->qd : f->work[(k - 1) % 3];
+    const double *x = k == 2 ? f->moved : k == 3 ? f->qd : f->work[(k - 2) % 3];
+    const double *v = k == 2 ? f->qd : f->work[(k - 1) % 3];
     double *out = f->work[k % 3], norm[ENDS] = {0};
-    thud_free_vibration_spring(f, m, p, x, v, k == 2, out);
+    thud_free_vibration_spring(f, m, p, x, v, out);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
         for (int t = 0; t < intervals; t += 2) {
             double *at = out + j * ENDS + t;

@@ -25,10 +25,9 @@ bool thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct
  * speeds. */
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 /* -(Omega^2 x + D v), with Omega^2 + kappa g g^T while a storey yields, of the modes of a structure at the ends of the
- * block, all rows; shifted: x is the modes' places. */
+ * block, all rows; where damping does not couple its modes, x is their places, and out of q - s. */
 void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
-                                const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
-                                double *out);
+                                const struct thud_model_structure *p, const double *x, const double *v, double *out);
 
 /* free_vibration_limits.c: intervals until a contact closes, or a storey yields or may collapse, at most `intervals`. */
 int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
