@@ -223,7 +223,9 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
         drift_rows(f, p);
         return;
     }
-    if (quantity == THUD_FLOOR_ACCELERATION)
+    const bool bounded =
+        p->damping && !isnan(f->bound[p->system * THUD_FREE_VIBRATION_BOUNDS + 2]); /* that made them */
+    if (quantity == THUD_FLOOR_ACCELERATION && !bounded)
         thud_free_vibration_spring(f, m, p, p->damping ? f->moved : f->q, f->qd, f->acceleration);
     const double *from = quantity == THUD_FLOOR_DISPLACEMENT ? f->q
                          : quantity == THUD_FLOOR_VELOCITY   ? f->qd

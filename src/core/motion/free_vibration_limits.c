@@ -64,15 +64,14 @@ static double make_bound(struct thud_free_vibration *f, const struct thud_model 
     const double level = k == 2, slopes = k == 3 ? 1 / f->dt_s : 0; /* how the ground enters */
     const double *x = k == 2 ? f->moved : k == 3 ? f->qd : f->work[(k - 2) % 3];
     const double *v = k == 2 ? f->qd : f->work[(k - 1) % 3];
-    double *out = f->work[k % 3], norm[ENDS] = {0};
-    thud_free_vibration_spring(f, m, p, x, v, out);
+    double *out = f->work[k % 3], norm[ENDS] = {0}, *force = k == 2 ? f->acceleration : out;
+    thud_free_vibration_spring(f, m, p, x, v, force);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
         for (int t = 0; t < intervals; t += 2) {
-            double *at = out + j * ENDS + t;
             const thud_vec2 a0 = thud_vec2_at(f->ground + t), rate = thud_vec2_at(v + j * ENDS + t),
                             ground = level * a0 + slopes * (thud_vec2_at(f->after + t) - a0),
-                            second = thud_vec2_at(at) - m->gamma[j] * ground;
-            thud_vec2_put(second, at);
+                            second = thud_vec2_at(force + j * ENDS + t) - m->gamma[j] * ground;
+            thud_vec2_put(second, out + j * ENDS + t);
             thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
         }
     return sqrt(thud_largest(norm, intervals)) + level * ground_size(m, p) * f->dt_s * f->slope;
