@@ -126,7 +126,8 @@ double thud_segment_rate(const struct thud_state *state)
             *(k > 0 ? &stiffer : &softer) += fabs(k);
             rate += fabs(thud_row_branch(state, c)->c_nspm) * m->delassus[c * m->nrows + c];
         }
-    return sqrt(thud_larger(stiffer, softer)) + rate; /* of A - B, both of them stiffnesses, at most the larger one's */
+    /* l^2 = c l + k: of k = A - B, both of them stiffnesses, the size is at most the larger one's */
+    return 0.5 * (rate + sqrt(rate * rate + 4 * thud_larger(stiffer, softer)));
 }
 
 /* Forces of order 0 of elastic storeys with a plastic drift: constant. */
