@@ -237,7 +237,6 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
 {
     const int n = c->n, row = c->first_mode * apart;
     double *now = c->now, *next = now + c->size;
-    c->summed = 0;
     for (int t = 0;; t++) {
         int first = 0;
         for (int j = 0; j < n; j++) { /* of the interval alone, wherever the block began */
@@ -267,9 +266,6 @@ void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *x, con
                              const double *ground, const double *after, int intervals)
 {
     const int n = c->n, size = c->size, first = c->first_mode;
-    if (c->summed == intervals)
-        return;
-    c->summed = intervals;
     for (int i = 0; i < size; i++) {
         double *out = c->product + i * size;
         const int rate = i < n ? 0 : i - n; /* of the rows behind q */

@@ -29,8 +29,7 @@ struct thud_coupled_motion {
     int links, *link;   /* (links) these links in the model */
     double *work[2];    /* (size) W_a, W_b: the last rows of input */
     double *now;        /* (2 x size) */
-    double *product;    /* (size x size) upper part of the sums of x x^T over the first `summed` intervals of a block */
-    int summed;
+    double *product;    /* (size x size) upper part of the sums of x x^T over the intervals of a block */
     double *block;
 };
 
@@ -44,7 +43,7 @@ void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
  * accelerations at the start and at the end of each interval, and constant forces under which the modes rest at s. */
 void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, const double *s, double *x,
                                  int apart, const double *ground, const double *after, int intervals);
-/* Sums over the intervals of the same rows, of which the following are made; once after each advance. */
+/* Sums over the first intervals of the same rows, of which the following are made. */
 void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *x, const double *qd, int apart,
                              const double *ground, const double *after, int intervals);
 /* Loss in the dashpot of the link whose index in the model is this; 0 where it has none. */

@@ -153,5 +153,9 @@ int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud
               : 2 * f->size < THUD_FREE_VIBRATION_BLOCK ? 2 * f->size
                                                         : THUD_FREE_VIBRATION_BLOCK;
     f->ends = intervals + 1; /* nothing behind an event is read */
+    for (int s = 0; s < f->nsystems; s++)
+        if (f->coupled[s].size > 0)
+            thud_coupled_motion_sum(thud_free_vibration_motion(f, s), f->moved, f->qd, ENDS, f->ground, f->after,
+                                    intervals);
     return intervals;
 }

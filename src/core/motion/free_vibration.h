@@ -125,8 +125,7 @@ const struct thud_segment *thud_free_vibration_row_series(struct thud_free_vibra
                                                           int c, int t, int piece);
 const struct thud_segment *thud_free_vibration_all_series(struct thud_free_vibration *f, const struct thud_state *state,
                                                           int t, int piece);
-/* Loss in the dashpot of a link over the first intervals of the block. */
-double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
-                                     int intervals);
-/* Work of the ground and loss in damping over the first intervals of the block. */
+/* Loss in the dashpot of a link over the block. */
+double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link);
+/* Work of the ground and loss in damping over the intervals of the block. */
 void thud_free_vibration_work(const struct thud_free_vibration *f, int intervals, double *input_j, double *viscous_j);

@@ -304,12 +304,8 @@ static void sum_products(const struct thud_free_vibration *f, int j, int interva
 void thud_free_vibration_work(const struct thud_free_vibration *f, int intervals, double *input_j, double *viscous_j)
 {
     const double *a0 = f->ground, *a1 = f->after;
-    double ground[3] = {0}, input = 0, viscous = 0;
-    for (int t = 0; t < intervals; t++) {
-        ground[0] += a0[t] * a0[t];
-        ground[1] += a0[t] * a1[t];
-        ground[2] += a1[t] * a1[t];
-    }
+    const double ground[] = {thud_dot(intervals, a0, a0), thud_dot(intervals, a0, a1), thud_dot(intervals, a1, a1)};
+    double input = 0, viscous = 0;
     for (int i = 0; i < 3; i++) {
         viscous += f->tables.ground[0][i] * ground[i];
         input += f->tables.ground[1][i] * ground[i];
@@ -324,23 +320,15 @@ void thud_free_vibration_work(const struct thud_free_vibration *f, int intervals
         input += f->tables.work[0][j] * product[3] + f->tables.work[1][j] * product[5] +
                  f->tables.work[2][j] * product[4] + f->tables.work[3][j] * product[6];
     }
-    for (int s = 0; s < f->nsystems; s++) {
-        struct thud_coupled_motion *c = thud_free_vibration_motion(f, s);
-        if (c->size > 0) {
-            thud_coupled_motion_sum(c, f->moved, f->qd, ENDS, f->ground, f->after, intervals);
-            thud_coupled_motion_work(c, &input, &viscous);
-        }
-    }
+    for (int s = 0; s < f->nsystems; s++)
+        if (f->coupled[s].size > 0)
+            thud_coupled_motion_work(thud_free_vibration_motion(f, s), &input, &viscous);
     *input_j = input;
     *viscous_j = viscous;
 }
 
-double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
-                                     int intervals)
+double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link)
 {
-    struct thud_coupled_motion *c = thud_free_vibration_motion(f, model->structure[model->link[link].structure].system);
-    if (c->links == 0)
-        return 0;
-    thud_coupled_motion_sum(c, f->moved, f->qd, ENDS, f->ground, f->after, intervals);
-    return thud_coupled_motion_link_loss(c, link);
+    const int system = model->structure[model->link[link].structure].system;
+    return thud_coupled_motion_link_loss(thud_free_vibration_motion(f, system), link);
 }

@@ -180,7 +180,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
         const struct thud_sum *sum = &sums->sum[i];
         sum_block(state, f, sum, intervals);
         if (sum->lost_j)
-            *sum->lost_j += thud_free_vibration_link_loss(f, state->model, sum->index, intervals);
+            *sum->lost_j += thud_free_vibration_link_loss(f, state->model, sum->index);
     }
     return THUD_OK;
 }
