@@ -8,7 +8,7 @@
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
 
-enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 24 }; /* 2^24/24! is below rounding */
+enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 24, ENDS = THUD_FREE_VIBRATION_ENDS }; /* 2^24/24! is below rounding */
 
 /* Longest part of the interval that the series are made of, by the fastest rate in it: each doubling adds rounding. */
 static const double longest_rad = 2;
@@ -233,18 +233,17 @@ static inline void some_pairs(const struct thud_coupled_motion *c, int first, co
 }
 
 void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, double *x,
-                                 int apart, const double *ground, const double *after, int intervals)
+                                 const double *ground, const double *after, int intervals)
 {
-    const int n = c->n, row = c->first_mode * apart;
+    const int n = c->n, row = c->first_mode * ENDS;
     double *now = c->now, *next = now + c->size;
-    for (int t = 0;; t++) {
+    s += c->first_mode;
+    for (int j = 0; j < n; j++) {
+        now[j] = x[row + j * ENDS] = q[row + j * ENDS] - s[j];
+        now[n + j] = qd[row + j * ENDS];
+    }
+    for (int t = 0; t < intervals; t++) {
         int first = 0;
-        for (int j = 0; j < n; j++) { /* of the interval alone, wherever the block began */
-            now[j] = x[row + j * apart + t] = q[row + j * apart + t] - s[c->first_mode + j];
-            now[n + j] = qd[row + j * apart + t];
-        }
-        if (t == intervals)
-            return;
         now[2 * n] = ground[t];
         now[2 * n + 1] = after[t] - ground[t];
         for (; first + 8 <= n; first += 8)
@@ -255,28 +254,29 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
             some_pairs(c, first, 5, next);
         for (; first < n; first++)
             some_pairs(c, first, 1, next);
-        for (int j = 0; j < n; j++) {
-            q[row + j * apart + t + 1] = next[j] + s[c->first_mode + j];
-            qd[row + j * apart + t + 1] = next[n + j];
+        for (int j = 0, at = row + t + 1; j < n; j++, at += ENDS) {
+            q[at] = next[j] + s[j];
+            qd[at] = now[n + j] = next[n + j];
+            now[j] = x[at] = q[at] - s[j]; /* as it were if the block began here */
         }
     }
 }
 
-void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *x, const double *qd, int apart,
-                             const double *ground, const double *after, int intervals)
+void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *x, const double *qd, const double *ground,
+                             const double *after, int intervals)
 {
     const int n = c->n, size = c->size, first = c->first_mode;
     for (int i = 0; i < size; i++) {
         double *out = c->product + i * size;
         const int rate = i < n ? 0 : i - n; /* of the rows behind q */
-        const double *a = i < n        ? x + (first + i) * apart
-                          : i < 2 * n  ? qd + (first + rate) * apart
+        const double *a = i < n        ? x + (first + i) * ENDS
+                          : i < 2 * n  ? qd + (first + rate) * ENDS
                           : i == 2 * n ? ground
                                        : after;
         if (i < n)
-            thud_dots(intervals, a, a, apart, n - i, out + i);
+            thud_dots(intervals, a, a, ENDS, n - i, out + i);
         if (i < 2 * n)
-            thud_dots(intervals, a, qd + (first + rate) * apart, apart, n - rate, out + n + rate);
+            thud_dots(intervals, a, qd + (first + rate) * ENDS, ENDS, n - rate, out + n + rate);
         out[2 * n] = thud_dot(intervals, a, ground);
         out[2 * n + 1] = thud_dot(intervals, a, after);
     }

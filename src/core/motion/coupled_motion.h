@@ -17,6 +17,11 @@
 
 #include "core/contact/segment.h"
 
+enum {
+    THUD_FREE_VIBRATION_BLOCK = 128,                         /* intervals in a block; blocks begin at its multiples */
+    THUD_FREE_VIBRATION_ENDS = THUD_FREE_VIBRATION_BLOCK + 4 /* their ends, by fours; a row holds as many */
+};
+
 struct thud_coupled_motion {
     int n, size; /* modes, and of x: 2 n + 2 */
     int first_mode;
@@ -39,12 +44,12 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
                                           int system, int mode, int storey, struct thud_error *err);
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
 
-/* Rows of q, qd and of x = q - s of all modes, `apart` doubles each, from the first value of q and qd on, under the ground
- * accelerations at the start and at the end of each interval, and constant forces under which the modes rest at s. */
+/* Rows of q, qd and of x = q - s of all modes, from the first value of q and qd on, under the ground accelerations at the
+ * start and at the end of each interval, and constant forces under which the modes rest at s. */
 void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, const double *s, double *x,
-                                 int apart, const double *ground, const double *after, int intervals);
+                                 const double *ground, const double *after, int intervals);
 /* Sums over the first intervals of the same rows, of which the following are made. */
-void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *x, const double *qd, int apart,
+void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *x, const double *qd,
                              const double *ground, const double *after, int intervals);
 /* Loss in the dashpot of the link whose index in the model is this; 0 where it has none. */
 double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link);

@@ -155,7 +155,6 @@ int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud
     f->ends = intervals + 1; /* nothing behind an event is read */
     for (int s = 0; s < f->nsystems; s++)
         if (f->coupled[s].size > 0)
-            thud_coupled_motion_sum(thud_free_vibration_motion(f, s), f->moved, f->qd, ENDS, f->ground, f->after,
-                                    intervals);
+            thud_coupled_motion_sum(thud_free_vibration_motion(f, s), f->moved, f->qd, f->ground, f->after, intervals);
     return intervals;
 }

@@ -14,8 +14,6 @@
 #include "core/motion/coupled_motion.h"
 
 enum {
-    THUD_FREE_VIBRATION_BLOCK = 128,                          /* intervals in a block; blocks begin at its multiples */
-    THUD_FREE_VIBRATION_ENDS = THUD_FREE_VIBRATION_BLOCK + 4, /* their ends, by fours */
     THUD_FREE_VIBRATION_BATCH = 4, /* modes that advance together; rows beyond the last mode stay 0 */
     THUD_FREE_VIBRATION_PRODUCTS = 7
 };

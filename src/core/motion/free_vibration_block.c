@@ -119,8 +119,8 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
         recurrence(f, intervals, false);
     for (int s = 0; s < f->nsystems; s++)
         if (f->coupled[s].size > 0)
-            thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q, f->qd, f->shift, f->moved, ENDS,
-                                        f->ground, f->after, intervals);
+            thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q, f->qd, f->shift, f->moved, f->ground,
+                                        f->after, intervals);
     f->slope = 0;
     for (int t = 0; t < intervals; t++)
         f->slope = thud_larger(f->slope, fabs(f->after[t] - f->ground[t]) / f->dt_s);
