@@ -5,15 +5,17 @@
  *     S                 thud_response_bound.speed: bound of sqrt(sum q'^2 + omega^2 (q - rest)^2) of a structure
  *     modal[row]        peaks->modal, of each mode j of the structure (m kg^1/2 and s):
  *         START, END    q'' + gamma a_g at both ends, from which the floors' total accelerations follow
- *         SECOND, THIRD bounds of |q''| and |q'''|: sums of the sizes of the series' terms
- *         FOURTH        bound of the second rate of q'' + gamma a_g, as they are
- *     value[row]        peaks->value: u, v and a of the floors at both ends
+ *         FOURTH        bound of the second rate of q'' + gamma a_g: the sum of the sizes of the series' terms
+ *     value[row]        peaks->value of the floors: u, u' and h^2 u''/2 at the start, u and u' at the end; or their total
+ *                       accelerations at both
  *     push              bound of one row's |F|
+ *     thirds            notes->thirds, bound of h^3 |u'''| of any floor; u'' strays by s thirds/h^2 from where it starts
  *     margin            tau^2/8 times the bound of the second rate: how far a floor's value may lie above the larger of
  *                       its two ends
  *
- * Steps, for each structure: S below all peaks so far: nothing. Else modal, value, margin; a floor whose ends and margin
- * stay below its peaks: nothing. Else the maximum of its polynomial. */
+ * Steps, for each structure: S below all peaks so far: nothing. Else the floors' values. One that stays below its peak
+ * with its margin: nothing; whose rate keeps its sign: the larger of its ends; else the maximum of its polynomial. The
+ * same of accelerations, if what they start from and may stray does not stay below their peaks. */
 #include "core/observe/observe_peaks_parts.h"
 
 #include <math.h>
@@ -26,33 +28,28 @@
 #include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
-enum { MODE_START, MODE_END, MODE_SECOND, MODE_THIRD, MODE_FOURTH, MODE_ROWS };
+enum { MODE_START, MODE_END, MODE_FOURTH, MODE_ROWS };
 
-/* Fills peaks->modal from the series of the modes: its bounds are those of the polynomials from which peaks are read, and
- * hold however forces and damping move them. */
-static void series_modes(struct thud_peaks *peaks, const struct thud_observation *o,
-                         const struct thud_model_structure *p)
+/* Fills peaks->modal from the series of the modes: its bound is that of the polynomials from which peaks are read, and
+ * holds however forces and damping move them. */
+static void series_accelerations(struct thud_peaks *peaks, const struct thud_observation *o,
+                                 const struct thud_model_structure *p)
 {
     const struct thud_segment *seg = o->seg;
     const int n = o->state->model->nmodes, stride = peaks->stride;
-    const double *gamma = o->state->model->gamma + p->first_mode, rate = 1 / seg->h_s, square = rate * rate;
+    const double *gamma = o->state->model->gamma + p->first_mode, square = 1 / (seg->h_s * seg->h_s);
     for (int j = 0; j < p->modes; j += 2) { /* rows and series are long enough for an odd number */
         const double *q = seg->q + (seg->terms - 1) * n + p->first_mode + j;
         const thud_vec2 ground = thud_vec2_some(gamma + j, j + 1 == p->modes);
-        thud_vec2 start = {0, 0}, end = {0, 0}, second = {0, 0}, third = {0, 0}, fourth = {0, 0};
-        double *out = peaks->modal + j;
+        thud_vec2 start = {0, 0}, end = {0, 0}, fourth = {0, 0};
         for (int k = seg->terms - 1; k >= 2; k--, q -= n) {
             start = k * (k - 1) * thud_vec2_at(q);
             end = end * o->s + start;
-            const thud_vec2 size = thud_vec2_abs(start);
-            second += size;
-            third += (k - 2) * size;
-            fourth += (k - 2) * (k - 3) * size;
+            fourth += (k - 2) * (k - 3) * thud_vec2_abs(start);
         }
+        double *out = peaks->modal + j;
         thud_vec2_put(square * start + ground * seg->a0, out + MODE_START * stride);
         thud_vec2_put(square * end + ground * (seg->a0 + o->s * seg->a1), out + MODE_END * stride);
-        thud_vec2_put(square * second, out + MODE_SECOND * stride);
-        thud_vec2_put(square * rate * third, out + MODE_THIRD * stride);
         thud_vec2_put(square * square * fourth, out + MODE_FOURTH * stride);
     }
 }
@@ -94,75 +91,95 @@ static void step_accelerations(struct thud_peaks *peaks, const struct thud_obser
     }
 }
 
-/* Margins of the structure's worst floor, by the largest entries of each mode's shape: out (THUD_FLOOR_QUANTITIES). */
-static void structure_margins(const struct thud_peaks *peaks, const struct thud_model *m,
-                              const struct thud_model_structure *p, double time_s, double *out)
-{
-    const double *most = m->mode_max + p->first_mode, *drift = most + m->nmodes;
-    const double *second = peaks->modal + MODE_SECOND * peaks->stride,
-                 *third = peaks->modal + MODE_THIRD * peaks->stride,
-                 *fourth = peaks->modal + MODE_FOURTH * peaks->stride;
-    double eighth = time_s * time_s / 8;
-    out[THUD_FLOOR_DISPLACEMENT] = eighth * thud_dot(p->modes, most, second);
-    out[THUD_FLOOR_VELOCITY] = eighth * thud_dot(p->modes, most, third);
-    out[THUD_FLOOR_ACCELERATION] = eighth * thud_dot(p->modes, most, fourth);
-    out[THUD_FLOOR_DRIFT] = eighth * thud_dot(p->modes, drift, second);
-}
+enum { VALUE_ROWS = 5 };
 
-/* Values of the floors at both ends of a segment: rows of peaks->value. */
-enum {
-    FLOOR_START, /* displacement, velocity, acceleration */
-    FLOOR_END = THUD_FLOOR_ACCELERATION + 1,
-    FLOOR_ROWS = 2 * FLOOR_END
-};
-
-/* Fills peaks->value: all six rows as sums over the modes, two floors at a time. */
-static void floor_values(struct thud_peaks *peaks, const struct thud_observation *o,
-                         const struct thud_model_structure *p)
+/* Fills so many rows of peaks->value as sums over the modes, two floors at a time. */
+static inline void floor_values(struct thud_peaks *peaks, const struct thud_model_structure *p,
+                                const double *const *from, const int rows)
 {
-    const int at = p->first_mode, stride = peaks->stride;
-    const double *from[FLOOR_ROWS] = {o->state->q + at, o->state->qd + at, peaks->modal + MODE_START * stride,
-                                      o->q + at,        o->qd + at,        peaks->modal + MODE_END * stride};
+    const int stride = peaks->stride;
     for (int i = 0; i < p->dofs; i += 2) {
-        thud_vec2 sum[FLOOR_ROWS] = {0};
+        thud_vec2 sum[VALUE_ROWS] = {0};
         const double *shape = peaks->shape + p->first_shape * stride + i;
         for (int j = 0; j < p->modes; j++, shape += stride)
-            for (int x = 0; x < FLOOR_ROWS; x++)
+            for (int x = 0; x < rows; x++)
                 sum[x] += from[x][j] * thud_vec2_at(shape);
-        for (int x = 0; x < FLOOR_ROWS; x++)
+        for (int x = 0; x < rows; x++)
             thud_vec2_put(sum[x], peaks->value + x * stride + i);
     }
 }
 
-/* Peaks of the floors of one structure. */
+/* A value at both ends of a segment, and how far it may stray from the line between them. */
+struct ends {
+    double start, end, margin;
+};
+
+/* The peak of one quantity of a floor from its values, and where these do not tell, from its polynomial. */
+static inline void look(struct thud_peaks *peaks, const struct thud_observation *o, int structure, int floor,
+                        int quantity, struct ends x, struct ends rate)
+{
+    struct thud_peak *peak = thud_floor_peak(peaks->result, structure, floor, quantity);
+    const double most = thud_larger(fabs(x.start), fabs(x.end));
+    if (!(most + x.margin > peak->value))
+        return;
+    if (!(rate.start * rate.end > 0 && thud_smaller(fabs(rate.start), fabs(rate.end)) > rate.margin))
+        thud_peaks_read_floor(peaks, o->state->model, o->seg, structure, floor, quantity, o->s);
+    else if (most > peak->value)
+        *peak = (struct thud_peak){most, o->seg->start_s + (most == fabs(x.start) ? 0 : o->s * o->seg->h_s)};
+}
+
+/* Peaks of the accelerations of one structure's floors. */
+static void acceleration_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_model_structure *p = &m->structure[index];
+    const double *from[] = {peaks->modal + MODE_START * peaks->stride, peaks->modal + MODE_END * peaks->stride},
+                 *fourth = peaks->modal + MODE_FOURTH * peaks->stride, time_s = o->s * o->seg->h_s;
+    (o->seg->interpolates ? step_accelerations : series_accelerations)(peaks, o, p);
+    floor_values(peaks, p, from, 2);
+    const double margin = time_s * time_s / 8 * thud_dot(p->modes, m->mode_max + p->first_mode, fourth);
+    for (int i = 0; i < p->n; i++)
+        look(peaks, o, index, i, THUD_FLOOR_ACCELERATION,
+             (struct ends){peaks->value[i], peaks->value[peaks->stride + i], margin}, (struct ends){0});
+}
+
+/* Peaks of the floors of one structure. The rates of a stepping method are not those of its polynomials. */
 static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_model_structure *p = &m->structure[index];
-    const int stride = peaks->stride;
-    const bool drifts = p->drifts;
-    series_modes(peaks, o, p);
-    if (o->seg->interpolates)
-        step_accelerations(peaks, o, p);
-    floor_values(peaks, o, p);
+    const struct thud_segment *seg = o->seg;
+    const int at = p->first_mode, stride = peaks->stride;
+    const double *from[] = {o->state->q + at, o->state->qd + at, seg->q + 2 * m->nmodes + at, o->q + at, o->qd + at},
+                 strays = o->s * seg->notes->thirds[index], rate = 1 / seg->h_s, eighth = o->s * o->s / 8,
+                 drifts = thud_dot(p->modes, m->mode_max + m->nmodes + at, seg->notes->bound + m->nmodes + at),
+                 unknown = seg->interpolates ? INFINITY : 0;
+    bool accelerates = seg->interpolates;
+    floor_values(peaks, p, from, VALUE_ROWS);
     thud_peaks_forget_series(peaks, p);
-    double margin[THUD_FLOOR_QUANTITIES];
-    structure_margins(peaks, m, p, o->s * o->seg->h_s, margin);
     for (int i = 0; i < p->dofs; i++) {
-        const double *start = peaks->value + FLOOR_START * stride + i, *end = peaks->value + FLOOR_END * stride + i;
-        const struct thud_floor_result *r = &peaks->result->structure[index].floor[i];
-        double u = thud_larger(fabs(start[0]), fabs(end[0])), v = thud_larger(fabs(start[stride]), fabs(end[stride])),
-               a = thud_larger(fabs(start[2 * stride]), fabs(end[2 * stride])),
-               d = thud_larger(fabs(thud_model_drift(p, start - i, 1, i)), fabs(thud_model_drift(p, end - i, 1, i)));
-        const bool floor = i < p->n; /* of a foundation, displacements alone */
-        const bool may[] = {u + margin[THUD_FLOOR_DISPLACEMENT] > r->displacement.value,
-                            floor && v + margin[THUD_FLOOR_VELOCITY] > r->velocity.value,
-                            floor && a + margin[THUD_FLOOR_ACCELERATION] > r->acceleration.value,
-                            floor && drifts && d + margin[THUD_FLOOR_DRIFT] > r->drift.value};
-        for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-            if (may[x])
-                thud_peaks_read_floor(peaks, m, o->seg, index, i, x, o->s);
+        const double *u = peaks->value + i, second = 2 * u[2 * stride], ground = m->ground_influence[p->first + i];
+        const struct ends v = {u[stride], u[4 * stride], eighth * rate * seg->notes->thirds[index]};
+        look(peaks, o, index, i, THUD_FLOOR_DISPLACEMENT,
+             (struct ends){u[0], u[3 * stride], eighth * (fabs(second) + strays)},
+             (struct ends){v.start, v.end, v.margin + unknown});
+        if (i >= p->n) /* of a foundation, displacements alone */
+            continue;
+        look(peaks, o, index, i, THUD_FLOOR_VELOCITY, v, (struct ends){second, second, strays + unknown});
+        accelerates |=
+            rate * rate * (fabs(second + ground * seg->a0 / (rate * rate)) + strays) + o->s * fabs(ground * seg->a1) >
+            peaks->result->structure[index].floor[i].acceleration.value;
+        if (!p->drifts)
+            continue;
+        double row[VALUE_ROWS];
+        for (int x = 0; x < VALUE_ROWS; x++)
+            row[x] = thud_model_drift(p, peaks->value + x * stride, 1, i);
+        look(peaks, o, index, i, THUD_FLOOR_DRIFT,
+             (struct ends){row[0], row[3], eighth * (2 * fabs(row[2]) + o->s * drifts)},
+             (struct ends){row[1], row[4], eighth * rate * drifts + unknown});
     }
+    if (accelerates)
+        acceleration_peaks(peaks, o, index);
 }
 
 /* Peaks of the structures that may have one. */
@@ -173,6 +190,8 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
         acceleration_by_forces(peaks, state, o->seg);
     else
         thud_peaks_row_forces(peaks, state, o->seg);
+    if (!state->locates)
+        thud_segment_bounds(o->seg, state->model);
     for (int i = 0; i < state->model->nstructures; i++) {
         struct thud_response_bound bound = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
         if (thud_response_bound_structure(peaks, state->model, i, &bound))
@@ -244,7 +263,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
                  shapes = (size_t)m->nshapes;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
     peaks->block = calloc(floors + structures * (1 + (size_t)m->nrows) + 2 * shapes * stride +
-                              (MODE_ROWS + FLOOR_ROWS) * stride + THUD_SEGMENT_TERMS * (stride + n) + 2 * n + 1,
+                              (MODE_ROWS + VALUE_ROWS) * stride + THUD_SEGMENT_TERMS * (stride + n) + 2 * n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
     peaks->made = calloc(stride + 1, sizeof *peaks->made);
@@ -261,7 +280,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     peaks->shape = peaks->per_force + structures * (size_t)m->nrows;
     peaks->modal = peaks->shape + 2 * shapes * stride;
     peaks->value = peaks->modal + MODE_ROWS * stride;
-    peaks->series = peaks->value + FLOOR_ROWS * stride;
+    peaks->series = peaks->value + VALUE_ROWS * stride;
     peaks->rest = peaks->series + THUD_SEGMENT_TERMS * stride;
     peaks->acceleration = peaks->rest + n;
     fill_shapes(peaks, m);
