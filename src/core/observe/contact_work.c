@@ -10,9 +10,12 @@ enum { NODES = THUD_LOBATTO_INNER + 2 };
 
 static void place_nodes(const struct thud_segment_nodes *nodes, double s, double (*out)[NODES])
 {
-    for (int i = 0; i < nodes->count; i++)
-        for (int k = 0; k < nodes->count; k++)
-            out[i][k] = thud_poly_value(nodes->lagrange + k * nodes->apart, nodes->count, s * nodes->point[i]);
+    for (int i = 0; i < nodes->count; i++) {
+        double power[NODES] = {1};
+        for (int k = 1; k < nodes->count; k++)
+            power[k] = power[k - 1] * s * nodes->point[i];
+        thud_dots(nodes->count, power, nodes->lagrange, nodes->apart, nodes->count, out[i]);
+    }
 }
 
 /* Work of a collocated step by its nodes, where its force is the law's. */
