@@ -222,6 +222,13 @@ static int unresolved(const struct thud_state *state, const double *d, int terms
     return suppressed < terms ? suppressed : terms - 1;
 }
 
+/* Sum over the structures on both sides of a contact of what any of their floors comes to. */
+static double any_floors(const struct thud_model *m, int c, const double *of_structure)
+{
+    const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
+    return (l->modes > 0 ? of_structure[l->structure] : 0) + (r->modes > 0 ? of_structure[r->structure] : 0);
+}
+
 /* Bounds by the nodes of a collocated step: between two of them d' lies off the straight line through them by widest^2/8
  * times the largest d''' at most, of which the modes have a bound; and d off the nearest by half that distance times the
  * largest d'. */
@@ -229,11 +236,7 @@ static void see_nodes(struct view *v)
 {
     const struct thud_segment_nodes *nodes = v->seg->nodes;
     const thud_vec2 *motion = nodes->motion + nodes->at[v->c] * nodes->points;
-    const double h = v->seg->h_s;
-    double third = 0;
-    int structure[2], n = thud_model_row_structures(v->state->model, v->c, structure);
-    for (int i = 0; i < n; i++)
-        third += v->seg->notes->thirds[structure[i]];
+    const double h = v->seg->h_s, third = any_floors(v->state->model, v->c, v->seg->notes->thirds);
     v->low = v->high = motion[0];
     for (int i = 1; i < nodes->count; i++) {
         v->low = thud_vec2_smaller(motion[i], v->low);
@@ -285,12 +288,9 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
         return false;
     if (state->contact[c].suppressed.indentation > 0)
         return true;
-    const struct thud_model_contact *p = &m->contact[c];
     double most = thud_contact_indentation(state, c);
-    if (most + (p->left.modes > 0 ? seg->notes->floors[p->left.structure] : 0) +
-            (p->right.modes > 0 ? seg->notes->floors[p->right.structure] : 0) <=
-        0)
-        return false; /* whatever floors they are */
+    if (most + any_floors(m, c, seg->notes->floors) <= 0)
+        return false;
     const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes, *q1 = seg->q + m->nmodes;
     double way = 0; /* at the rate now; the rest of the series has any sign */
     int structure[2], n = thud_model_row_structures(m, c, structure);

@@ -89,7 +89,8 @@ void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model
         const struct thud_model_structure *p = &model->structure[s];
         const double *bound = seg->notes->bound + p->first_mode;
         seg->notes->floors[s] = thud_dot(p->modes, model->mode_max + p->first_mode, bound);
-        seg->notes->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, bound);
+        if (model->nstoreys > 0)
+            seg->notes->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, bound);
         seg->notes->thirds[s] = thud_dot(p->modes, model->mode_max + p->first_mode, bound + n);
     }
 }
