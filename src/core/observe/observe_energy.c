@@ -20,47 +20,53 @@ static const double fine = 1e-7; /* tolerance below which works are summed to ro
 /* Structures. The power of damping and of the ground is integrated by the few points of a stepping method's cubic, else
  * by those that leave rounding alone; the rates at both ends of the piece are known. */
 
-/* Power of the damping where the modal rates are factor times these, and the ground's. */
-static double power_at(const struct thud_model *m, const double *rate, double factor, double ground, double *drive)
+/* Adds up over the modes, two at a time, and the points of a quadrature: *loss the sum of D rate^2 but what couples modes,
+ * *drive that of gamma a_g rate; rates, (points x nmodes) those at the points but the ends, in units of the segment's
+ * length. */
+static inline void add_modes(const struct thud_observation *o, const struct thud_lobatto *by,
+                             const struct thud_rate_powers *power, const int points, double *rates, double *loss,
+                             double *drive)
 {
-    thud_vec2 sum = {0, 0}, by_ground = {0, 0};
-    for (int j = 0; j < m->nmodes; j += 2) {
-        const bool single = j + 1 == m->nmodes;
-        const thud_vec2 x = thud_vec2_some(rate + j, single);
-        sum += thud_vec2_some(m->dashpot + j, single) * x * x;
-        by_ground += thud_vec2_some(m->gamma + j, single) * x;
+    const struct thud_model *m = o->state->model;
+    const struct thud_segment *seg = o->seg;
+    const int n = m->nmodes;
+    thud_vec2 all_loss = {0, 0}, all_drive = {0, 0};
+    for (int j = 0; j < n; j += 2) {
+        const bool single = j + 1 == n;
+        const double *q = seg->q + n + j;
+        const thud_vec2 start = thud_vec2_some(q, single), end = seg->h_s * thud_vec2_some(o->qd + j, single);
+        thud_vec2 rate[THUD_LOBATTO_INNER] = {0}, square = by->end_weight * (start * start + end * end),
+                  driven = by->end_weight * (seg->a0 * start + (seg->a0 + o->s * seg->a1) * end);
+        for (int k = 1; k < seg->terms; k++, q += n) {
+            const thud_vec2 x = thud_vec2_some(q, single);
+            for (int i = 0; i < points; i++)
+                rate[i] += x * power->order[k][i];
+        }
+        for (int i = 0; i < points; i++) {
+            const thud_vec2 weighed = by->weight[i] * rate[i];
+            square += weighed * rate[i];
+            driven += (seg->a0 + seg->a1 * o->s * by->node[i]) * weighed;
+            if (m->couples)
+                thud_vec2_put_some(rate[i], rates + i * n + j, single);
+        }
+        all_loss += thud_vec2_some(m->dashpot + j, single) * square;
+        all_drive += thud_vec2_some(m->gamma + j, single) * driven;
     }
-    double loss = thud_vec2_sum(sum);
-    for (int s = 0; s < m->nsystems && m->couples; s++) {
+    *loss = thud_vec2_sum(all_loss);
+    *drive = thud_vec2_sum(all_drive);
+}
+
+/* Loss by the part of damping that couples modes, at these rates. */
+static double coupled_loss(const struct thud_model *m, const double *rate)
+{
+    double loss = 0;
+    for (int s = 0; s < m->nsystems; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
         const double *of = rate + p->first_mode;
         for (int i = 0; p->damping && i < p->modes; i++)
             loss += of[i] * thud_dot(p->modes, p->damping + i * p->modes, of);
     }
-    *drive = -ground * factor * thud_vec2_sum(by_ground);
-    return factor * factor * loss;
-}
-
-/* Rates of two modes, or one, at the points of a quadrature in units of the segment's length, out (points x nmodes). */
-static inline void rates_of(const struct thud_segment *seg, int n, int j, bool single,
-                            const struct thud_rate_powers *power, const int points, double *out)
-{
-    const double *q = seg->q + n + j;
-    thud_vec2 rate[THUD_LOBATTO_INNER] = {0};
-    for (int k = 1; k < seg->terms; k++, q += n) {
-        const thud_vec2 x = thud_vec2_some(q, single);
-        for (int i = 0; i < points; i++)
-            rate[i] += x * power->order[k][i];
-    }
-    for (int i = 0; i < points; i++)
-        thud_vec2_put_some(rate[i], out + i * n + j, single);
-}
-
-static inline void all_rates(const struct thud_segment *seg, int n, const struct thud_rate_powers *power,
-                             const int points, double *out)
-{
-    for (int j = 0; j < n; j += 2)
-        rates_of(seg, n, j, j + 1 == n, power, points, out);
+    return loss;
 }
 
 /* Powers of the points s times as far from the start: k (s x)^(k - 1). */
@@ -84,29 +90,25 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
         by = thud_lobatto_of(seg->nodes->count);
     struct thud_rate_powers scaled;
     const struct thud_rate_powers *power = &l->power[by - thud_lobatto];
-    double drive, end_drive, rate = 1 / seg->h_s;
+    double loss, drive;
     if (o->s != 1) {
         scale_powers(power, by->inner, o->s, seg->terms, &scaled);
         power = &scaled;
     }
     if (by->inner == 2)
-        all_rates(seg, m->nmodes, power, 2, l->rates);
+        add_modes(o, by, power, 2, l->rates, &loss, &drive);
     else if (by->inner == 3)
-        all_rates(seg, m->nmodes, power, 3, l->rates);
+        add_modes(o, by, power, 3, l->rates, &loss, &drive);
     else if (by->inner == 5)
-        all_rates(seg, m->nmodes, power, 5, l->rates);
+        add_modes(o, by, power, 5, l->rates, &loss, &drive);
     else
-        all_rates(seg, m->nmodes, power, THUD_LOBATTO_INNER, l->rates);
-    double loss = by->end_weight * (power_at(m, seg->q + m->nmodes, rate, seg->a0, &drive) +
-                                    power_at(m, o->qd, 1, seg->a0 + o->s * seg->a1, &end_drive)),
-           input = by->end_weight * (drive + end_drive);
-    for (int i = 0; i < by->inner; i++) {
-        const double ground = seg->a0 + seg->a1 * o->s * by->node[i];
-        loss += by->weight[i] * power_at(m, l->rates + i * m->nmodes, rate, ground, &drive);
-        input += by->weight[i] * drive;
-    }
-    *input_j = input * o->s * seg->h_s;
-    *viscous_j = loss * o->s * seg->h_s;
+        add_modes(o, by, power, THUD_LOBATTO_INNER, l->rates, &loss, &drive);
+    for (int i = 0; i < by->inner && m->couples; i++)
+        loss += by->weight[i] * coupled_loss(m, l->rates + i * m->nmodes);
+    if (m->couples)
+        loss += by->end_weight * (coupled_loss(m, seg->q + m->nmodes) + seg->h_s * seg->h_s * coupled_loss(m, o->qd));
+    *input_j = -o->s * drive;
+    *viscous_j = o->s / seg->h_s * loss;
 }
 
 /* Work of the ground by its acceleration, and of the dashpots of single modes, between the two ends of a step. */
