@@ -19,7 +19,7 @@
  *     sign           +1: p comes from below; -1: from above; 0 in the table: by the phase or the side of the branch
  *     suppressed     number of lowest coefficients of p that are taken as 0, as the last event has put p
  *                    there and rounding may not decide which way it goes; `order` of the event that follows
- *     low, high      bounds of d and d' in the segment
+ *     middle, reach  d and d' are as far as this from there at most, in the segment
  *     s_end, limit   how far the segment counts; no later than the first event found so far
  *
  * Deactivation: a guard with suppressed > 0 whose lowest coefficient that is left points away does not fire before p
@@ -80,7 +80,7 @@ struct view {
     const struct thud_segment *seg;
     int c;
     const double *d; /* indentation; its lowest orders are 0 where rounding alone has left them; NULL: not read yet */
-    thud_vec2 low, high; /* bounds of indentation and rate */
+    thud_vec2 middle, reach; /* of indentation and rate: how far they may be from a value */
     struct thud_suppressed suppressed;
 };
 
@@ -174,9 +174,8 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
 /* Whether what a guard watches keeps its sign by the bounds of indentation and rate alone: most do. */
 static bool stays(const struct view *v, const struct line *line, int sign)
 {
-    const double k = sign * line->k, c = sign * line->c;
-    return line->suppressed == 0 &&
-           sign * line->f + k * (k > 0 ? v->high : v->low)[0] + c * (c > 0 ? v->high : v->low)[1] < 0;
+    const thud_vec2 by = {line->k, line->c}, most = sign * by * v->middle + thud_vec2_abs(by) * v->reach;
+    return line->suppressed == 0 && sign * line->f + thud_vec2_sum(most) < 0;
 }
 
 /* s in [0, s_end] at which a guard fires. */
@@ -199,8 +198,9 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
     if (!v->d)
         v->d = thud_segment_read(v->state, v->seg, v->c);
     *order = line.suppressed;
+    const double c = line.c / v->seg->h_s;
     for (int k = 0; k + 1 < n; k++)
-        p[k] = line.k * v->d[k] + line.c * (k + 1) / v->seg->h_s * v->d[k + 1];
+        p[k] = line.k * v->d[k] + c * (k + 1) * v->d[k + 1];
     p[n - 1] = line.k * v->d[n - 1];
     p[0] += line.f;
     if (guard->watched == FORCE || guard->watched == RATE)
@@ -237,15 +237,15 @@ static void see_nodes(struct view *v)
     const struct thud_segment_nodes *nodes = v->seg->nodes;
     const thud_vec2 *motion = nodes->motion + nodes->at[v->c] * nodes->points;
     const double h = v->seg->h_s, third = any_floors(v->state->model, v->c, v->seg->notes->thirds);
-    v->low = v->high = motion[0];
+    thud_vec2 low = motion[0], high = low;
     for (int i = 1; i < nodes->count; i++) {
-        v->low = thud_vec2_smaller(motion[i], v->low);
-        v->high = thud_vec2_larger(motion[i], v->high);
+        low = thud_vec2_smaller(motion[i], low);
+        high = thud_vec2_larger(motion[i], high);
     }
     const double rate = nodes->widest * nodes->widest / 8 * third / h,
-                 way = 0.5 * nodes->widest * h * (thud_larger(-v->low[1], v->high[1]) + rate);
-    v->low -= thud_vec2_set(way, rate);
-    v->high += thud_vec2_set(way, rate);
+                 way = 0.5 * nodes->widest * h * (thud_larger(-low[1], high[1]) + rate);
+    v->middle = 0.5 * (low + high);
+    v->reach = 0.5 * (high - low) + thud_vec2_set(way, rate);
 }
 
 /* The contact as its guards see it. `copy` (terms) may take its indentation. */
@@ -273,10 +273,9 @@ static struct view view_of(const struct thud_state *state, const struct thud_seg
         }
         v.suppressed.indentation = (int)thud_larger(s->suppressed.indentation, suppressed);
     }
-    double d_rest, v_rest;
-    d_rest = thud_poly_move(v.d, seg->terms, &v_rest);
-    v.low = thud_vec2_set(v.d[0] - d_rest, (v.d[1] - v_rest) / seg->h_s);
-    v.high = thud_vec2_set(v.d[0] + d_rest, (v.d[1] + v_rest) / seg->h_s);
+    double rate, way = thud_poly_move(v.d, seg->terms, &rate);
+    v.middle = thud_vec2_set(v.d[0], v.d[1] / seg->h_s);
+    v.reach = thud_vec2_set(way, rate / seg->h_s);
     return v;
 }
 
