@@ -2,7 +2,7 @@
  *
  * Glossary, for a segment of which the first part, s in [0, s_end], is committed; tau = s_end h in s.
  *
- *     S                 thud_response_bound.speed: bound of sqrt(sum q'^2 + omega^2 (q - rest)^2) of a structure
+ *     S                 thud_response_bound_segment: bound of sqrt(sum q'^2 + omega^2 (q - rest)^2) of a structure
  *     modal[row]        peaks->modal, of each mode j of the structure (m kg^1/2 and s):
  *         START, END    q'' + gamma a_g at both ends, from which the floors' total accelerations follow
  *         FOURTH        bound of the second rate of q'' + gamma a_g: the sum of the sizes of the series' terms
@@ -193,8 +193,8 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     if (!state->locates)
         thud_segment_bounds(o->seg, state->model);
     for (int i = 0; i < state->model->nstructures; i++) {
-        struct thud_response_bound bound = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
-        if (thud_response_bound_structure(peaks, state->model, i, &bound))
+        const double speed = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
+        if (thud_response_bound_structure(peaks, state->model, i, speed))
             structure_peaks(peaks, o, i);
     }
 }
@@ -262,7 +262,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
                  floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures,
                  shapes = (size_t)m->nshapes;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
-    peaks->block = calloc(floors + structures * (1 + (size_t)m->nrows) + 2 * shapes * stride +
+    peaks->block = calloc(floors + structures * (3 + (size_t)m->nrows) + 2 * shapes * stride +
                               (MODE_ROWS + VALUE_ROWS) * stride + THUD_SEGMENT_TERMS * (stride + n) + 2 * n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
@@ -276,7 +276,9 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     }
     peaks->per_speed = peaks->block;
     peaks->ground = peaks->per_speed + floors;
-    peaks->per_force = peaks->ground + structures;
+    peaks->as_speed = peaks->ground + structures;
+    peaks->quiet = peaks->as_speed + structures;
+    peaks->per_force = peaks->quiet + structures;
     peaks->shape = peaks->per_force + structures * (size_t)m->nrows;
     peaks->modal = peaks->shape + 2 * shapes * stride;
     peaks->value = peaks->modal + MODE_ROWS * stride;

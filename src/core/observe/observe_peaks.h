@@ -35,6 +35,8 @@ struct thud_peaks {
     double *ground;             /* (nstructures) size of a ground acceleration of 1 in modal coordinates */
     double *per_force; /* (nstructures x nrows) and so of a row's force, also on what the structure is tied to */
     double *shape;     /* (2 x nmodes x stride) each mode at the floors of its structure, and their drifts */
+    double *as_speed;  /* (nstructures) S that lets accelerations come to no less than a force of 1 does */
+    double *quiet;     /* (nstructures) S up to which no peak could be passed when it was last looked at */
     /* A segment, or one structure in it */
     struct thud_row_push *push; /* (pushes) of rows that have a force */
     int pushes;
@@ -66,9 +68,6 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
                                  struct thud_error *err);
 void thud_peaks_clear(struct thud_peaks *peaks);
 
-/* What a structure can come to: S, and contact force on it (by mass^(1/2)). */
-struct thud_response_bound {
-    double speed, force;
-};
+/* Whether a floor of the structure may pass a peak at this S. */
 bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
-                                   const struct thud_response_bound *bound);
+                                   double speed);

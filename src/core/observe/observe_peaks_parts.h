@@ -3,13 +3,13 @@
 
 #include "core/observe/observe_peaks.h"
 
-/* response_bound.c. Fills peaks->per_speed and peaks->per_force. */
+/* response_bound.c. Fills peaks->per_speed, per_force and as_speed. */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state);
 /* Fills peaks->push and peaks->rest with the forces of the segment. */
 void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg);
-/* Of a structure in the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
-                                                       const struct thud_segment *seg, int structure, double s);
+/* S of a structure in the segment up to s, with what its forces do at once; without bound for methods whose steps do not keep to the equations of motion. */
+double thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
+                                   const struct thud_segment *seg, int structure, double s);
 
 /* observe_peaks_series.c. Reads the peak of a floor's quantity from the polynomials of a segment; those of a structure are made
  * once, until they are forgotten. */

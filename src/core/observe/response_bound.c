@@ -19,7 +19,8 @@
  * at rest are added to what S bounds. */
 
 /* Fills peaks->per_force and peaks->per_speed. A total acceleration without contacts is -phi_i . (Omega^2 x + D v): of
- * (Omega x, v), whose norm is S, with the factors (Omega phi_i, D phi_i). */
+ * (Omega x, v), whose norm is S, with the factors (Omega phi_i, D phi_i); a force adds at most its share in velocities, and
+ * so counts as the S that does no less to any floor. */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
@@ -43,37 +44,35 @@ void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state 
             }
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
                 peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
+            if (i < p->n)
+                peaks->as_speed[s] =
+                    thud_larger(peaks->as_speed[s], sqrt(sum[THUD_FLOOR_VELOCITY] / sum[THUD_FLOOR_ACCELERATION]));
         }
     }
 }
 
-/* Whether a floor, and whether any floor of the structure, may then pass a peak; at rest they are at these places. */
-static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
-                     const struct thud_response_bound *bound, const double *rest)
+bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *m, int structure, double speed)
 {
-    const struct thud_model *m = model;
-    const double drift = peaks->rests ? fabs(thud_model_drift(&m->structure[structure], rest, 1, floor)) : 0,
-                 place = peaks->rests ? fabs(rest[floor]) : 0;
-    const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
-    const double *most = peaks->per_speed + m->structure[structure].first + floor;
-    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * bound->force;
-    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * bound->speed + place <= r->displacement.value;
-    if (floor < m->structure[structure].n) /* else of a foundation */
-        below = below && most[THUD_FLOOR_VELOCITY * m->ndof] * bound->speed <= r->velocity.value &&
-                most[THUD_FLOOR_ACCELERATION * m->ndof] * bound->speed + push <= r->acceleration.value &&
-                most[THUD_FLOOR_DRIFT * m->ndof] * bound->speed + drift <= r->drift.value;
-    return !below; /* NaN: a rigid body, whose place no energy bounds */
-}
-
-bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
-                                   const struct thud_response_bound *bound)
-{
-    const struct thud_model_structure *p = &model->structure[structure];
+    const struct thud_model_structure *p = &m->structure[structure];
+    double *rest = peaks->value, least = INFINITY;
+    if (speed <= peaks->quiet[structure] && !peaks->rests)
+        return false;
     for (int i = 0; i < p->dofs && peaks->rests; i++)
-        peaks->value[i] = thud_dot(p->modes, p->phi + i * p->modes, peaks->rest + p->first_mode);
+        rest[i] = thud_dot(p->modes, p->phi + i * p->modes, peaks->rest + p->first_mode);
     for (int i = 0; i < p->dofs; i++)
-        if (may_pass(peaks, model, structure, i, bound, peaks->value))
-            return true;
+        for (int x = 0; x < (i < p->n ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_VELOCITY); x++) { /* else of a foundation */
+            const double per_speed = peaks->per_speed[x * m->ndof + p->first + i];
+            double room = thud_floor_peak(peaks->result, structure, i, x)->value;
+            if (peaks->rests && x == THUD_FLOOR_DISPLACEMENT)
+                room -= fabs(rest[i]);
+            if (peaks->rests && x == THUD_FLOOR_DRIFT)
+                room -= fabs(thud_model_drift(p, rest, 1, i));
+            if (!(per_speed * speed <= room)) /* infinite: a rigid body, whose place no energy bounds */
+                return true;
+            least = room < per_speed * least ? room / per_speed : least;
+        }
+    if (!peaks->rests)
+        peaks->quiet[structure] = least; /* peaks only rise */
     return false;
 }
 
@@ -109,20 +108,22 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
 }
 
 /* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
-struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
-                                                       const struct thud_segment *seg, int structure, double s)
+double thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
+                                   const struct thud_segment *seg, int structure, double s)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];
+    const int at = p->first_mode;
     if (seg->interpolates)
-        return (struct thud_response_bound){INFINITY, INFINITY};
-    double energy = 0, force = 0;
+        return INFINITY;
+    double energy = peaks->rests ? 0 : thud_energy_sum(p->modes, m->spring + at, state->q + at, state->qd + at),
+           force = 0;
     for (int i = 0; i < peaks->pushes; i++)
         force += peaks->per_force[structure * m->nrows + peaks->push[i].row] * peaks->push[i].bound;
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        const double q = state->q[j] - (peaks->rests ? peaks->rest[j] : 0);
+    for (int j = at; j < at + p->modes && peaks->rests; j++) {
+        const double q = state->q[j] - peaks->rest[j];
         energy += state->qd[j] * state->qd[j] + m->spring[j] * q * q;
     }
     double ground = thud_larger(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * peaks->ground[structure];
-    return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
+    return sqrt(energy) + s * seg->h_s * (ground + force) + peaks->as_speed[structure] * force;
 }
