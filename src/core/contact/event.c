@@ -287,20 +287,9 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
         return false;
     if (state->contact[c].suppressed.indentation > 0)
         return true;
-    double most = thud_contact_indentation(state, c);
-    if (most + any_floors(m, c, seg->notes->floors) <= 0)
-        return false;
-    const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes, *q1 = seg->q + m->nmodes;
-    double way = 0; /* at the rate now; the rest of the series has any sign */
-    int structure[2], n = thud_model_row_structures(m, c, structure);
-    for (int i = 0; i < n; i++) {
-        const struct thud_model_structure *s = &m->structure[structure[i]];
-        for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
-            most += fabs(g[j]) * (seg->notes->bound[j] - fabs(q1[j]));
-            way += g[j] * q1[j];
-        }
-    }
-    return most + thud_larger(way, 0) > 0;
+    double motion[2];
+    thud_contact_motion(state, c, motion);
+    return motion[0] + thud_larger(motion[1], 0) * seg->h_s + any_floors(m, c, seg->notes->floors) > 0;
 }
 
 /* When the drift of the storey below a floor comes to where it has collapsed, on either side. */
@@ -326,7 +315,8 @@ static double collapses(const struct thud_model *m, const struct thud_segment *s
         const struct thud_model_structure *of = &m->structure[s];
         double most = 0;
         for (int j = of->first_mode; of->collapse_m && j < of->first_mode + of->modes; j++)
-            most += thud_model_most_lean(m, of, j) * (fabs(seg->q[j]) + seg->notes->bound[j]);
+            most +=
+                thud_model_most_lean(m, of, j) * (fabs(seg->q[j]) + fabs(seg->q[m->nmodes + j]) + seg->notes->bound[j]);
         for (int i = 0; most > of->collapse_least_m && i < of->n; i++) {
             const double at = storey_collapses(m, seg, s, i, fmin(s_end, first));
             if (at < first) {
@@ -349,14 +339,15 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
     const int row = m->ncontacts + k, n = seg->terms;
     double p[THUD_SEGMENT_TERMS], first = INFINITY;
     if (s->direction == 0 && s->suppressed == 0) { /* by what its modes can do at most */
-        double now = fabs(thud_contact_indentation(state, row) - s->plastic_m), most = 0;
-        if (m->storey[k].link < 0 && now + seg->notes->drifts[m->storey[k].structure] <= bound)
+        double most =
+            fabs(thud_contact_indentation(state, row) - s->plastic_m) + fabs(thud_contact_rate(state, row)) * seg->h_s;
+        if (m->storey[k].link < 0 && most + seg->notes->drifts[m->storey[k].structure] <= bound)
             return INFINITY;
         const struct thud_model_structure *of = &m->structure[m->storey[k].structure];
         const double *g = m->jacobian + row * m->nmodes;
         for (int j = of->first_mode; j < of->first_mode + of->modes; j++)
             most += fabs(g[j]) * seg->notes->bound[j];
-        if (now + most <= bound)
+        if (most <= bound)
             return INFINITY;
     }
     const double *d = thud_segment_read(state, seg, row);

@@ -24,8 +24,8 @@ struct thud_motion {
 struct thud_segment_notes {
     double *indentation;     /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
     int *cached;             /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
-    double *bound;           /* (nmodes) largest displacement of each mode in it: thud_segment_bounds */
-    double *floors, *drifts; /* (nstructures) and so of any floor, and the largest change of any storey's drift */
+    double *bound;           /* (nmodes) how far each mode strays in it from going on at its first rate */
+    double *floors, *drifts; /* (nstructures) and so any floor, and any storey's drift */
     double *thirds;          /* (nstructures) largest third derivative by s of any floor, where the segment has nodes */
 };
 

@@ -103,8 +103,9 @@ static bool slips(const struct thud_state *state, const struct thud_sum *sum)
 static bool may_pass(const struct thud_observation *o, const struct thud_sum *sum)
 {
     const struct thud_model_structure *p = &o->state->model->structure[sum->structure];
-    const double *bound = o->seg->notes->bound + p->first_mode;
-    double most = fabs(thud_dot(p->modes, sum->row, o->state->q + p->first_mode));
+    const double *bound = o->seg->notes->bound + p->first_mode, *q = o->seg->q + p->first_mode;
+    double most =
+        fabs(thud_dot(p->modes, sum->row, q)) + fabs(thud_dot(p->modes, sum->row, q + o->state->model->nmodes));
     if (!o->state->locates || sum->rate || sum->forces > 0)
         return true;
     for (int j = 0; j < p->modes; j++)
