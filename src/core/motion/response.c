@@ -173,15 +173,20 @@ static bool fill_pair(struct thud_responses *x, const struct level *level, doubl
     const struct thud_model *m = x->model;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes;
     thud_vec2 *motion = *out = calloc((size_t)(x->points * x->n), sizeof *motion);
-    double gap[THUD_SEGMENT_TERMS], value[3];
+    double gap[THUD_SEGMENT_TERMS], value[THUD_POINTS_MAX] = {0}, now[3];
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] = m->couples ? -ga[j] : -ga[j] * gb[j];
     thud_dots(m->nmodes, x->rise, load_of(x, level, b)->series, m->nmodes, level->terms, gap);
     for (int p = 0; p < x->n && motion; p++, raise_power(gap, level->terms, 1, p - 1))
-        for (int i = 0; i < x->points; i++) {
-            thud_poly_value3(gap, level->terms, x->point[i], value);
+        for (int i = 1; i < x->points; i++) { /* at the start all is at rest */
+            if (p == 0)
+                thud_poly_value3(gap, level->terms, x->point[i], now);
+            else
+                now[0] = thud_poly_value(gap, level->terms, x->point[i]);
+            const thud_vec2 by_load = thud_vec2_set(now[0], (p == 0 ? now[1] : p * value[i]) / h);
+            value[i] = now[0];
             for (int k = 0; k < x->n; k++)
-                motion[i * x->n + k] += x->lagrange[p * x->n + k] * thud_vec2_set(value[0], value[1] / h);
+                motion[i * x->n + k] += x->lagrange[p * x->n + k] * by_load;
         }
     return motion != NULL;
 }
