@@ -30,7 +30,10 @@ static inline void add_modes(const struct thud_observation *o, const struct thud
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
     const int n = m->nmodes;
-    thud_vec2 all_loss = {0, 0}, all_drive = {0, 0};
+    thud_vec2 all_loss = {0, 0}, all_drive = {0, 0}, part[THUD_SEGMENT_TERMS]; /* s^(k - 1) */
+    part[1] = thud_vec2_set(1, 1);
+    for (int k = 2; k < seg->terms; k++)
+        part[k] = o->s * part[k - 1];
     for (int j = 0; j < n; j += 2) {
         const bool single = j + 1 == n;
         const double *q = seg->q + n + j;
@@ -38,7 +41,7 @@ static inline void add_modes(const struct thud_observation *o, const struct thud
         thud_vec2 rate[THUD_LOBATTO_INNER] = {0}, square = by->end_weight * (start * start + end * end),
                   driven = by->end_weight * (seg->a0 * start + (seg->a0 + o->s * seg->a1) * end);
         for (int k = 1; k < seg->terms; k++, q += n) {
-            const thud_vec2 x = thud_vec2_some(q, single);
+            const thud_vec2 x = part[k] * thud_vec2_some(q, single);
             for (int i = 0; i < points; i++)
                 rate[i] += x * power->order[k][i];
         }
@@ -69,16 +72,6 @@ static double coupled_loss(const struct thud_model *m, const double *rate)
     return loss;
 }
 
-/* Powers of the points s times as far from the start: k (s x)^(k - 1). */
-static void scale_powers(const struct thud_rate_powers *unit, int points, double s, int terms,
-                         struct thud_rate_powers *out)
-{
-    double factor = 1;
-    for (int k = 1; k < terms; k++, factor *= s)
-        for (int i = 0; i < points; i++)
-            out->order[k][i] = factor * unit->order[k][i];
-}
-
 void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observation *o, double *input_j,
                                 double *viscous_j)
 {
@@ -88,13 +81,8 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
     const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[0].order ? 0 : last];
     if (seg->nodes && o->state->tolerance >= fine) /* as good as the step */
         by = thud_lobatto_of(seg->nodes->count);
-    struct thud_rate_powers scaled;
     const struct thud_rate_powers *power = &l->power[by - thud_lobatto];
     double loss, drive;
-    if (o->s != 1) {
-        scale_powers(power, by->inner, o->s, seg->terms, &scaled);
-        power = &scaled;
-    }
     if (by->inner == 2)
         add_modes(o, by, power, 2, l->rates, &loss, &drive);
     else if (by->inner == 3)
