@@ -30,30 +30,6 @@
 
 enum { MODE_START, MODE_END, MODE_FOURTH, MODE_ROWS };
 
-/* Fills peaks->modal from the series of the modes: its bound is that of the polynomials from which peaks are read, and
- * holds however forces and damping move them. */
-static void series_accelerations(struct thud_peaks *peaks, const struct thud_observation *o,
-                                 const struct thud_model_structure *p)
-{
-    const struct thud_segment *seg = o->seg;
-    const int n = o->state->model->nmodes, stride = peaks->stride;
-    const double *gamma = o->state->model->gamma + p->first_mode, square = 1 / (seg->h_s * seg->h_s);
-    for (int j = 0; j < p->modes; j += 2) { /* rows and series are long enough for an odd number */
-        const double *q = seg->q + (seg->terms - 1) * n + p->first_mode + j;
-        const thud_vec2 ground = thud_vec2_some(gamma + j, j + 1 == p->modes);
-        thud_vec2 start = {0, 0}, end = {0, 0}, fourth = {0, 0};
-        for (int k = seg->terms - 1; k >= 2; k--, q -= n) {
-            start = k * (k - 1) * thud_vec2_at(q);
-            end = end * o->s + start;
-            fourth += (k - 2) * (k - 3) * thud_vec2_abs(start);
-        }
-        double *out = peaks->modal + j;
-        thud_vec2_put(square * start + ground * seg->a0, out + MODE_START * stride);
-        thud_vec2_put(square * end + ground * (seg->a0 + o->s * seg->a1), out + MODE_END * stride);
-        thud_vec2_put(square * square * fourth, out + MODE_FOURTH * stride);
-    }
-}
-
 /* Total accelerations of all modes from the equations of motion into peaks->acceleration: the polynomials of a stepping
  * method have the state that the method gives, but their second derivative strays between the ends of the step by as
  * much as the acceleration changes in it. */
@@ -72,22 +48,28 @@ static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_s
     }
 }
 
-/* START, END and FOURTH of a stepping method's segment, from peaks->acceleration. */
-static void step_accelerations(struct thud_peaks *peaks, const struct thud_observation *o,
+/* Fills peaks->modal from the series of the modes, or of a stepping method from peaks->acceleration: its bound is that of
+ * the polynomials from which peaks are read, and holds however forces and damping move them. */
+static void fill_accelerations(struct thud_peaks *peaks, const struct thud_observation *o,
                                const struct thud_model_structure *p)
 {
-    const int n = o->state->model->nmodes;
-    const double rate = 1 / o->seg->h_s;
-    for (int j = 0; j < p->modes; j++) {
-        const double *acceleration = peaks->acceleration + p->first_mode + j;
-        double end = 0, fourth = 0, *out = peaks->modal + j;
-        for (int k = o->seg->terms - 3; k >= 0; k--) {
-            end = end * o->s + acceleration[k * n];
-            fourth += k * (k - 1) * fabs(acceleration[k * n]);
+    const struct thud_segment *seg = o->seg;
+    const bool forces = seg->interpolates;
+    const int n = o->state->model->nmodes, stride = peaks->stride, last = seg->terms - 3;
+    const double *gamma = o->state->model->gamma + p->first_mode, square = 1 / (seg->h_s * seg->h_s),
+                 scale = forces ? 1 : square, *from = (forces ? peaks->acceleration : seg->q + 2 * n) + p->first_mode;
+    for (int j = 0; j < p->modes; j += 2) { /* rows and series are long enough for an odd number */
+        const thud_vec2 ground = (forces ? 0 : 1) * thud_vec2_some(gamma + j, j + 1 == p->modes);
+        thud_vec2 start = {0, 0}, end = {0, 0}, fourth = {0, 0};
+        for (int k = last; k >= 0; k--) {
+            start = (forces ? 1 : (k + 1) * (k + 2)) * thud_vec2_at(from + k * n + j);
+            end = end * o->s + start;
+            fourth += k * (k - 1) * thud_vec2_abs(start);
         }
-        out[MODE_START * peaks->stride] = acceleration[0];
-        out[MODE_END * peaks->stride] = end;
-        out[MODE_FOURTH * peaks->stride] = rate * rate * fourth;
+        double *out = peaks->modal + j;
+        thud_vec2_put(scale * start + ground * seg->a0, out + MODE_START * stride);
+        thud_vec2_put(scale * end + ground * (seg->a0 + o->s * seg->a1), out + MODE_END * stride);
+        thud_vec2_put(square * scale * fourth, out + MODE_FOURTH * stride);
     }
 }
 
@@ -135,7 +117,7 @@ static void acceleration_peaks(struct thud_peaks *peaks, const struct thud_obser
     const struct thud_model_structure *p = &m->structure[index];
     const double *from[] = {peaks->modal + MODE_START * peaks->stride, peaks->modal + MODE_END * peaks->stride},
                  *fourth = peaks->modal + MODE_FOURTH * peaks->stride, time_s = o->s * o->seg->h_s;
-    (o->seg->interpolates ? step_accelerations : series_accelerations)(peaks, o, p);
+    fill_accelerations(peaks, o, p);
     floor_values(peaks, p, from, 2);
     const double margin = time_s * time_s / 8 * thud_dot(p->modes, m->mode_max + p->first_mode, fourth);
     for (int i = 0; i < p->n; i++)
