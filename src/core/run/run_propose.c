@@ -9,7 +9,7 @@ enum { STALLS_EACH = 4, STALLS_MORE = 12, PASSES_MAX = 36 };
 
 /* Events that a run may take in a part of its duration. 20 buildings of 200 storeys that pound at every floor take
  * fewer than this in all; a bounce that loses no energy and is pressed on takes ever more, and would never end. */
-static const long crowd = 50000;
+static const long crowd = 100000;
 static const double crowd_part = 0.01;
 
 /* The first event of the proposed segment, where events are located: its s, else INFINITY. */
