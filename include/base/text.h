@@ -1,6 +1,7 @@
 /* Growing text, assembled in memory and written in one call. */
 #pragma once
 
+#include <stdarg.h>
 #include <stddef.h>
 
 #include "base/status.h"
@@ -13,6 +14,7 @@ struct thud_text {
     int failed;
 };
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
+void thud_text_append_list(struct thud_text *text, const char *fmt, va_list args) THUD_PRINTF(2, 0);
 /* Appends words from where the last line ends, in lines of so many columns, the further ones behind `indent` blanks. A
  * tab is a blank at which no line ends. */
 void thud_text_wrap(struct thud_text *text, const char *words, size_t indent, size_t columns);

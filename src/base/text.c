@@ -1,4 +1,3 @@
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,12 +82,18 @@ void thud_append(char *text, size_t size, const char *fmt, ...)
 
 void thud_text_append(struct thud_text *text, const char *fmt, ...)
 {
-    va_list args, again;
-    const size_t room = text->failed ? 0 : text->capacity - text->size;
+    va_list args;
     va_start(args, fmt);
+    thud_text_append_list(text, fmt, args);
+    va_end(args);
+}
+
+void thud_text_append_list(struct thud_text *text, const char *fmt, va_list args)
+{
+    va_list again;
+    const size_t room = text->failed ? 0 : text->capacity - text->size;
     va_copy(again, args);
     int size = vsnprintf(room > 0 ? text->data + text->size : NULL, room, fmt, args);
-    va_end(args);
     if (size < 0) {
         text->failed = 1;
     } else if ((size_t)size < room) {

@@ -65,7 +65,7 @@ is "a line with an escape" gives 3 towers --play escape.play
 is "is not sent to the terminal" sh -c '! LC_ALL=C grep -q "$(printf "\033")" "$1" && grep -q "^> ?\[31mset" "$1"' sh out
 { printf 'records ' && awk 'BEGIN { for (i = 0; i < 200; i++) printf "a.csv:peak=0.%03dg,", i; print "b.csv" }'; } >long.play
 is "a line that is longer than there is room for" gives 3 towers --play long.play
-is "is not cut off" says '^long.play:1: the line is too long'
+is "is not cut off" says '^long.play:1: study.records: the text is too long'
 
 # a list is read wherever a file is
 printf 'a.csv:peak=0.5g\nb.csv:from=1s:to=3s\n' >two.list

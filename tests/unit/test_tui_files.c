@@ -543,6 +543,69 @@ START_TEST(a_held_key_is_one_change)
 }
 END_TEST
 
+/* Lines of a session are as long as what they say: pasted storeys, which a terminal ends with CR, and a list of values. */
+START_TEST(long_lines_are_played_again)
+{
+    enum { STOREYS = 120 };
+    const struct thud_structure *a = &f.tui->doc.scene.structure[0];
+    struct thud_text rows = {0}, list = {0}, out = {0};
+    struct thud_error err = {0};
+    char path[100], line[200], text[700];
+    for (int i = 0; i < STOREYS; i++)
+        thud_text_append(&rows, "%d t\t%d\r", 300 + i, 1000 + i);
+    fixture_keys(&f, ":structures.1.storeys 120<Enter>/structures.1.mass.120<Enter>");
+    f.script.paste = rows.data;
+    fixture_keys(&f, "<Paste>");
+    fixture_expect(&f, "240 pasted values taken");
+    ck_assert_double_eq_tol(a->mass_kg[0], 419e3, 1e-6);
+    snprintf(path, sizeof path, "%s/long.thud", f.folder);
+    snprintf(line, sizeof line, ":log %s<Enter>", path);
+    fixture_keys(&f, line);
+    fixture_keys(&f, "u");
+    ck_assert_double_eq_tol(a->mass_kg[0], a->mass_kg[1], 1e-6);
+    enum thud_status status = thud_tui_play_lines(f.tui, path, &out, &err);
+    ck_assert_msg(status == THUD_OK, "%s", thud_error_text(&err, text, sizeof text));
+    for (int i = 0; i < STOREYS; i++) {
+        ck_assert_double_eq_tol(a->mass_kg[STOREYS - 1 - i], 1e3 * (300 + i), 1e-6);
+        ck_assert_double_eq_tol(a->stiffness_npm[STOREYS - 1 - i], 1e6 * (1000 + i), 1e-3);
+    }
+    thud_text_append(&list, "open towers\nset structures.1.storeys %d\nset structures.1.mass [", STOREYS);
+    for (int i = 0; i < STOREYS; i++)
+        thud_text_append(&list, "%s%d t", i > 0 ? ", " : "", 200 + i);
+    thud_text_append(&list, "]\n");
+    fixture_write(&f, "list.thud", list.data);
+    snprintf(path, sizeof path, "%s/list.thud", f.folder);
+    status = thud_tui_play_lines(f.tui, path, &out, &err);
+    ck_assert_msg(status == THUD_OK, "%s", thud_error_text(&err, text, sizeof text));
+    ck_assert_double_eq_tol(a->mass_kg[STOREYS - 1], 1e3 * (199 + STOREYS), 1e-6);
+    thud_text_clear(&rows);
+    thud_text_clear(&list);
+    thud_text_clear(&out);
+}
+END_TEST
+
+/* What is longer than its place is refused, never shortened to something else. */
+START_TEST(what_has_no_room_is_refused)
+{
+    static const char *const refused[] = {"folder", "write", "vary gap=", "report -o"};
+    struct thud_text out = {0};
+    struct thud_error err = {0};
+    char path[100];
+    snprintf(path, sizeof path, "%s/much.thud", f.folder);
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+        struct thud_text line = {0};
+        thud_text_append(&line, "%s ", refused[i]);
+        for (int j = 0; j < 300; j++)
+            thud_text_append(&line, "%s", i < 2 ? "ab" : i == 2 ? "5 cm," : "a -o ");
+        fixture_write(&f, "much.thud", line.data);
+        ck_assert_msg(thud_tui_play_lines(f.tui, path, &out, &err) == THUD_INPUT, "%s", refused[i]);
+        ck_assert_msg(strstr(err.what, i < 3 ? "too long" : "fewer than") != NULL, "%s", err.what);
+        thud_text_clear(&line);
+    }
+    thud_text_clear(&out);
+}
+END_TEST
+
 /* Varied keys that change their places at once do so again where the session is played. */
 START_TEST(swapped_keys_of_a_study_are_played_again)
 {
@@ -1130,6 +1193,8 @@ Suite *thud_suite(void)
     tcase_add_test(files, settings_come_from_a_file);
     tcase_add_test(files, a_session_is_played_again);
     tcase_add_test(files, a_held_key_is_one_change);
+    tcase_add_test(files, long_lines_are_played_again);
+    tcase_add_test(files, what_has_no_room_is_refused);
     tcase_add_test(files, swapped_keys_of_a_study_are_played_again);
     tcase_add_test(files, a_session_stops_where_it_cannot);
     tcase_add_test(files, a_new_scene_as_a_command);

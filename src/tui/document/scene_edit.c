@@ -39,21 +39,19 @@ void thud_tui_shown_unit(const struct thud_tui *tui, const char *key, char *unit
 }
 
 /* What was typed, with the shown unit where it has none. */
-void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char *typed, char *text, size_t size)
+void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char *typed, struct thud_text *text)
 {
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
     const char *end;
+    char unit[48] = "";
     double number;
-    while (*typed == ' ')
-        typed++;
-    snprintf(text, size, "%s", typed);
-    for (size_t n = strlen(text); n > 0 && text[n - 1] == ' '; n--)
-        text[n - 1] = '\0';
-    if (!param || param->kind != THUD_PARAM_QUANTITY || thud_number_parse(text, &end, &number) != 0 || *end)
-        return;
-    char unit[48];
-    thud_tui_shown_unit(tui, key, unit, sizeof unit);
-    thud_append(text, size, "%s%s", *unit ? " " : "", unit);
+    typed += strspn(typed, " ");
+    size_t n = strlen(typed);
+    while (n > 0 && typed[n - 1] == ' ')
+        n--;
+    if (param && param->kind == THUD_PARAM_QUANTITY && thud_number_parse(typed, &end, &number) == 0 && end >= typed + n)
+        thud_tui_shown_unit(tui, key, unit, sizeof unit);
+    thud_text_append(text, "%.*s%s%s", (int)n, typed, *unit ? " " : "", unit);
 }
 
 /* Soft bounds warn. */
@@ -180,27 +178,28 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
         thud_tui_hush(tui);
         return strcmp(text, tui->doc.scene.record.file) == 0 || thud_tui_choose_record(tui, text);
     }
-    char full[THUD_LINE_MAX + 64];
     if (thud_ascii_ends(key, ".kind") && (strcmp(text, "matrix") == 0 || strcmp(text, "modes") == 0)) {
         choose_file(tui, key, text);
         return true;
     }
-    thud_tui_with_unit(tui, key, text, full, sizeof full);
+    struct thud_text full = {0};
+    thud_tui_with_unit(tui, key, text, &full);
     thud_tui_hush(tui);
     tui->kept.before_n = NAN;
-    bool done = thud_ascii_ends(key, "bumper.exponent") ? set_exponent(tui, key, full, &err)
-                                                        : thud_doc_set(&tui->doc, key, full, &err) == THUD_OK;
-    if (!done) {
+    const bool done = full.failed ? thud_error_set(&err, THUD_MEMORY, "no memory for the value") == THUD_OK
+                      : thud_ascii_ends(key, "bumper.exponent")
+                          ? set_exponent(tui, key, full.data, &err)
+                          : thud_doc_set(&tui->doc, key, full.data, &err) == THUD_OK;
+    if (!done)
         thud_tui_say_error(tui, &err);
-        return false;
-    }
-    if (!*tui->said.text)
+    else if (!*tui->said.text)
         warn(tui, key);
-    if (strcmp(key, "title") == 0)
-        thud_tui_log(tui, "title %s", full);
-    else
-        thud_tui_log(tui, "set %s %s", key, full);
-    return true;
+    if (done && strcmp(key, "title") == 0)
+        thud_tui_log(tui, "title %s", full.data);
+    else if (done)
+        thud_tui_log(tui, "set %s %s", key, full.data);
+    thud_text_clear(&full);
+    return done;
 }
 
 /* The state that changes are compared with stays while the same value is stepped; what a key that is held does, or the

@@ -10,14 +10,18 @@ static const char head[] = "# A session of thud: `thud --play FILE` repeats it";
 
 void thud_tui_log(struct thud_tui *tui, const char *fmt, ...)
 {
-    char line[2 * THUD_LINE_MAX];
+    struct thud_text line = {0};
     va_list args;
     va_start(args, fmt);
-    vsnprintf(line, sizeof line, fmt, args);
+    thud_text_append_list(&line, fmt, args);
     va_end(args);
-    line[strcspn(line, "\r\n")] = '\0';
-    thud_text_append(&tui->log, "%s\n", line);
-    thud_tui_keep_message(tui, ":", line);
+    if (line.data && !line.failed) {
+        line.data[strcspn(line.data, "\r\n")] = '\0';
+        thud_text_append(&tui->log, "%s\n", line.data);
+        thud_tui_keep_message(tui, ":", line.data);
+    }
+    tui->log.failed |= line.failed; /* it cannot be saved without this line */
+    thud_text_clear(&line);
 }
 
 void thud_tui_show_log(struct thud_tui *tui)

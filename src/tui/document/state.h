@@ -338,7 +338,7 @@ bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text);
  */
 bool thud_tui_choose_record(struct thud_tui *tui, const char *file);
 /* What was typed, with the shown unit of the key where it has none. */
-void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char *typed, char *text, size_t size);
+void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char *typed, struct thud_text *text);
 void thud_tui_shown_unit(const struct thud_tui *tui, const char *key, char *unit, size_t size);
 
 /* writing.c */

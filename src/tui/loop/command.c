@@ -68,9 +68,20 @@ static void run_open(struct thud_tui *tui, char *rest)
         thud_tui_list_presets(tui);
 }
 
+/* Whether a path has room; it is never shortened to another one. */
+static bool fits(struct thud_tui *tui, const char *path)
+{
+    const bool fit = strlen(path) + sizeof ".yaml" <= sizeof tui->files.folder;
+    if (!fit)
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! the path is too long: %zu bytes, at most %zu", strlen(path),
+                     sizeof tui->files.folder - sizeof ".yaml");
+    return fit;
+}
+
 static void run_write(struct thud_tui *tui, char *rest)
 {
-    thud_tui_save(tui, *rest ? rest : NULL, false);
+    if (fits(tui, rest))
+        thud_tui_save(tui, *rest ? rest : NULL, false);
 }
 
 /* The screen of a name, or of a number. */
@@ -180,6 +191,8 @@ static void run_paste(struct thud_tui *tui, char *rest)
 /* Where figures and tables go; alone it says so. */
 static void run_folder(struct thud_tui *tui, char *rest)
 {
+    if (!fits(tui, rest))
+        return;
     if (*rest) {
         snprintf(tui->files.folder, sizeof tui->files.folder, "%s", rest);
         thud_tui_log(tui, "folder %s", rest);
@@ -260,14 +273,9 @@ static bool begins_with_key(const struct thud_tui *tui, const char *text)
     return thud_scene_param(&tui->doc.scene, key, &floor) != NULL;
 }
 
-void thud_tui_command(struct thud_tui *tui, const char *text)
+/* Carries out a line, which is cut. */
+static void do_command(struct thud_tui *tui, char *word)
 {
-    char copy[THUD_LINE_MAX], *word = copy;
-    if (snprintf(copy, sizeof copy, "%s", text) >= (int)sizeof copy) {
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! the line is too long (at most %d bytes)", THUD_LINE_MAX - 1);
-        return;
-    }
-    word += strspn(word, " :");
     size_t n = strcspn(word, " !");
     char *rest = word + n, first[32];
     rest += strspn(rest, " ");
@@ -300,6 +308,17 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
         thud_tui_view(tui)->command(tui, first, rest);
     } else
         tui->dialog.next = c->action;
+}
+
+void thud_tui_command(struct thud_tui *tui, const char *text)
+{
+    struct thud_text copy = {0};
+    thud_text_append(&copy, "%s", text);
+    if (copy.failed)
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the command");
+    else
+        do_command(tui, copy.data + strspn(copy.data, " :"));
+    thud_text_clear(&copy);
 }
 
 static void typed_command(struct thud_tui *tui, const char *text)

@@ -42,7 +42,7 @@ void thud_tui_remember(struct thud_tui *tui, const char *text); /* a command, fo
 
 /* paste.c */
 void thud_tui_paste(struct thud_tui *tui, const char *text);
-void thud_tui_paste_line(struct thud_tui *tui, const char *line); /* as a log has it: rows end with `;;` */
+void thud_tui_paste_line(struct thud_tui *tui, char *line); /* as a log has it: rows end with `;;` */
 
 /* preset.c: what is open */
 void thud_tui_save(struct thud_tui *tui, const char *path, bool sure);
@@ -66,7 +66,7 @@ void thud_tui_design_path(const struct thud_tui *tui, const char *name, char *pa
 
 /* solve.c: which value makes something hold; with a question before it is taken */
 void thud_tui_solve_field(struct thud_tui *tui);
-void thud_tui_solve(struct thud_tui *tui, const char *text); /* "force < 10 MN; gap=2 cm:20 cm", without */
+void thud_tui_solve(struct thud_tui *tui, char *text); /* "force < 10 MN; gap=2 cm:20 cm", without */
 
 /* palette.c */
 void thud_tui_palette(struct thud_tui *tui);

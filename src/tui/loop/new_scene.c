@@ -140,11 +140,10 @@ void thud_new_scene_begin(struct thud_tui *tui)
         thud_browse_list(&form->files, THUD_BROWSE_RECORDS, tui->doc.paths, "", "");
 }
 
-void thud_new_scene_command(struct thud_tui *tui, const char *text)
+void thud_new_scene_command(struct thud_tui *tui, char *text)
 {
-    char copy[THUD_LINE_MAX], *rest = copy;
+    char *rest = text;
     struct thud_new_preset preset;
-    snprintf(copy, sizeof copy, "%s", text);
     struct thud_form_over *form = begin(tui); /* names are meant as they are: no files to complete them from */
     if (!form)
         return;

@@ -8,4 +8,4 @@
 void thud_new_scene_begin(struct thud_tui *tui);
 /* "storeys: 5, 7; gap: 8 cm; record: a.AT2": makes it at once, with the usual values where nothing is said; a single
  * value is of both. */
-void thud_new_scene_command(struct thud_tui *tui, const char *text);
+void thud_new_scene_command(struct thud_tui *tui, char *text);

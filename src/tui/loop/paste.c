@@ -5,19 +5,15 @@
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
 
-/* The next row of a paste, without the end of its line; false at its end. Terminals send a line's end as CR. */
-static bool next_row(const char **text, char *row, size_t size)
+/* Cuts the next row off a paste; NULL at its end. Terminals send a line's end as CR. */
+static char *next_row(char **text)
 {
-    if (!**text)
-        return false;
-    size_t n = strcspn(*text, "\r\n");
-    snprintf(row, size, "%.*s", (int)n, *text);
-    *text += n;
-    if (**text == '\r')
-        (*text)++;
-    if (**text == '\n')
-        (*text)++;
-    return true;
+    char *row = *text, *end = row + strcspn(row, "\r\n");
+    if (!*row)
+        return NULL;
+    *text = end + (*end == '\r' && end[1] == '\n' ? 2 : *end != '\0');
+    *end = '\0';
+    return row;
 }
 
 /* True where a row is several bare numbers with blanks between them. */
@@ -71,26 +67,31 @@ static const struct thud_field *beside(const struct thud_form *form, const struc
 static enum thud_status put(struct thud_tui *tui, struct thud_scene *next, const struct thud_field *field,
                             const char *cell, struct thud_error *err)
 {
-    char text[THUD_LINE_MAX + 64];
-    thud_tui_with_unit(tui, field->path, cell, text, sizeof text);
+    struct thud_text text = {0};
     if (!thud_tui_typable(tui, field))
         return thud_error_set(err, THUD_INPUT, "%s is chosen from a list: nothing can be pasted there", field->path);
-    return thud_scene_set(next, field->path, text, err);
+    thud_tui_with_unit(tui, field->path, cell, &text);
+    enum thud_status status = text.failed ? thud_error_set(err, THUD_MEMORY, "no memory to paste")
+                                          : thud_scene_set(next, field->path, text.data, err);
+    thud_text_clear(&text);
+    return status;
 }
 
-/* Fills cells from `first` on; nothing changes where one of them is refused. */
-static enum thud_status fill(struct thud_tui *tui, const char *text, const struct thud_field *first,
-                             struct thud_scene *next, int *cells, struct thud_error *err)
+/* Fills cells from `first` on, and cuts the text into them; nothing changes where one of them is refused. `line` is the
+ * text as a log has it: rows end with `;;`, which a row of cells has nowhere, and tabs are semicolons. */
+static enum thud_status fill(struct thud_tui *tui, char *text, const struct thud_field *first, struct thud_scene *next,
+                             int *cells, struct thud_text *line, struct thud_error *err)
 {
-    char row[THUD_LINE_MAX];
+    char *row;
     const struct thud_field *start = first;
     enum thud_status status = THUD_OK;
     *cells = 0;
-    while (status == THUD_OK && next_row(&text, row, sizeof row)) {
+    while (status == THUD_OK && (row = next_row(&text)) != NULL) {
         char *rest = row, *cell;
         bool blanks = bare_numbers(row);
         if (!row[strspn(row, " \t")])
             continue;
+        thud_text_append(line, "%s%s", line->size > 0 ? ";;" : "", row);
         if (!start)
             return thud_error_set(err, THUD_INPUT, "there are only %d rows from here on, and more in what was pasted",
                                   *cells);
@@ -106,31 +107,11 @@ static enum thud_status fill(struct thud_tui *tui, const char *text, const struc
     return status;
 }
 
-/* In one line: rows end with `;;`, which a row of cells has nowhere, and tabs are semicolons. */
-static void escape(const char *text, char *line, size_t size)
+void thud_tui_paste_line(struct thud_tui *tui, char *line)
 {
-    size_t n = 0;
-    for (; *text && n + 3 < size; text++) {
-        if (*text == '\r')
-            continue;
-        line[n++] = *text == '\n' || *text == '\t' ? ';' : *text;
-        if (*text == '\n')
-            line[n++] = ';';
-    }
-    line[n] = '\0';
-}
-
-void thud_tui_paste_line(struct thud_tui *tui, const char *line)
-{
-    char text[THUD_LINE_MAX];
-    size_t n = 0;
-    for (; *line && n + 1 < sizeof text; line++) {
-        bool row = line[0] == ';' && line[1] == ';';
-        text[n++] = row ? '\n' : *line;
-        line += row;
-    }
-    text[n] = '\0';
-    thud_tui_paste(tui, text);
+    for (char *end = line; (end = strstr(end, ";;")) != NULL;)
+        memcpy(end, "\r\n", 2);
+    thud_tui_paste(tui, line);
 }
 
 void thud_tui_paste(struct thud_tui *tui, const char *text)
@@ -159,9 +140,14 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
     }
     struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
+    struct thud_text cut = {0}, line = {0};
     int n = 0;
     char what[80];
-    enum thud_status status = fill(tui, text, field, &next, &n, &err);
+    thud_text_append(&cut, "%s", text);
+    enum thud_status status = fill(tui, cut.failed ? (char[]){""} : cut.data, field, &next, &n, &line, &err);
+    if (cut.failed || line.failed)
+        status = thud_error_set(&err, THUD_MEMORY, "no memory to paste");
+    thud_text_clear(&cut);
     snprintf(what, sizeof what, "%d pasted value%s", n, n == 1 ? "" : "s");
     if (status == THUD_OK && n > 0)
         status = thud_doc_change(&tui->doc, &next, what, &err);
@@ -169,12 +155,11 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
     if (status != THUD_OK) {
         char words[600];
         thud_tui_say(tui, THUD_ROLE_ERROR, "! nothing was changed: %s", thud_error_text(&err, words, sizeof words));
-        return;
-    }
-    if (n > 0) {
-        char line[THUD_LINE_MAX];
-        escape(text, line, sizeof line);
-        thud_tui_log(tui, "paste %s %s", field->path, line);
+    } else if (n > 0) {
+        for (char *tab = line.data; (tab = strchr(tab, '\t')) != NULL;)
+            *tab = ';';
+        thud_tui_log(tui, "paste %s %s", field->path, line.data);
         thud_tui_say(tui, THUD_ROLE_PLAIN, "%s taken (u undoes)", what);
     }
+    thud_text_clear(&line);
 }

@@ -21,17 +21,16 @@ static void set_value(struct thud_tui *tui, const char *value)
     }
 }
 
-/* "CRITERION; KEY=FROM:TO"; `ask`: before the value is taken. */
-static void solve(struct thud_tui *tui, const char *text, bool ask)
+/* "CRITERION; KEY=FROM:TO", which is cut; `ask`: before the value is taken. */
+static void solve(struct thud_tui *tui, char *what, bool ask)
 {
     static const struct thud_question question = {.enter = true, .yes = set_value};
-    char what[THUD_LINE_MAX], value[sizeof tui->dialog.target];
+    char value[sizeof tui->dialog.target];
     struct thud_error err = {0};
     struct thud_criterion criterion;
     struct thud_record_list one = {0};
     struct thud_text words = {0};
     const struct thud_record *record = NULL;
-    snprintf(what, sizeof what, "%s", text);
     char *by = strchr(what, ';');
     if (!by) {
         thud_tui_say(tui, THUD_ROLE_ERROR, "! what has to hold; and the range: force < 10 MN; gap=2 cm:20 cm");
@@ -73,7 +72,7 @@ static void solve(struct thud_tui *tui, const char *text, bool ask)
     free(found);
 }
 
-void thud_tui_solve(struct thud_tui *tui, const char *text)
+void thud_tui_solve(struct thud_tui *tui, char *text)
 {
     solve(tui, text, false);
 }

@@ -14,7 +14,7 @@
 
 enum { WORDS_MAX = 60 };
 
-/* Cuts a line into words as a shell would, in place; returns how many. */
+/* Cuts a line into words as a shell would, in place; returns how many, `most` where there are at least so many. */
 static int cut_words(char *text, char **word, int most)
 {
     int n = 0;
@@ -44,7 +44,8 @@ static bool of_file(int id)
 void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
 {
     const struct thud_command *command = thud_command_at((enum thud_command_id)id);
-    char copy[THUD_LINE_MAX * 2], *word[WORDS_MAX + 4] = {(char *)command->name};
+    char *word[WORDS_MAX + 4] = {(char *)command->name};
+    struct thud_text copy = {0};
     struct thud_error err = {0};
     int n = 1;
     if (tui->files.command || tui->files.work) {
@@ -61,8 +62,8 @@ void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
         thud_tui_say_error(tui, &err);
         return;
     }
-    snprintf(copy, sizeof copy, "%s", text);
-    int typed = cut_words(copy, word + 1, WORDS_MAX);
+    thud_text_append(&copy, "%s", text);
+    int typed = copy.failed ? 0 : cut_words(copy.data, word + 1, WORDS_MAX);
     if (command->word == THUD_WORD_PROGRAM && typed > 0) { /* its name stands before the preset */
         n = 2;
         typed--;
@@ -70,7 +71,13 @@ void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
     memmove(word + n + 1, word + n, (size_t)typed * sizeof *word);
     word[n] = unsaved ? tui->doc.kept : tui->doc.path;
     word[n + 1 + typed] = NULL;
-    if (thud_command_work_start(tui->options.program, word, &tui->files.command, &err) != THUD_OK) {
+    enum thud_status status =
+        copy.failed ? thud_error_set(&err, THUD_MEMORY, "no memory for the command")
+        : typed + n > WORDS_MAX
+            ? thud_error_set(&err, THUD_USAGE, "thud %s here takes fewer than %d words", command->name, WORDS_MAX)
+            : thud_command_work_start(tui->options.program, word, &tui->files.command, &err);
+    thud_text_clear(&copy);
+    if (status != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
     }
@@ -177,15 +184,9 @@ static bool has_use(const struct thud_option *option)
     return true;
 }
 
-static void put_quoted(char *text, size_t size, const char *value)
-{
-    const char *quote = !strchr(value, ' ') && *value ? "" : strchr(value, '"') ? "'" : "\"";
-    thud_append(text, size, "%s%s%s", quote, value, quote);
-}
-
 static void run_form(struct thud_tui *tui, struct thud_form_over *form)
 {
-    char text[THUD_LINE_MAX * 2] = "";
+    struct thud_text text = {0};
     const int id = form->id;
     for (int i = 0; i < form->n; i++) {
         const struct thud_option *option = form->row[i].of;
@@ -193,15 +194,20 @@ static void run_form(struct thud_tui *tui, struct thud_form_over *form)
         if (!*value)
             continue;
         if (option)
-            thud_append(text, sizeof text, "%s%s%s%s", *text ? " " : "", option->name[1] ? "--" : "-", option->name,
-                        !option->argument                  ? ""
-                        : thud_option_stands_alone(option) ? "="
-                                                           : " ");
+            thud_text_append(&text, "%s%s%s%s", text.size ? " " : "", option->name[1] ? "--" : "-", option->name,
+                             !option->argument                  ? ""
+                             : thud_option_stands_alone(option) ? "="
+                                                                : " ");
+        const char *quote = !strchr(value, ' ') ? "" : strchr(value, '"') ? "'" : "\"";
         if (!option || option->argument)
-            put_quoted(text, sizeof text, value);
+            thud_text_append(&text, "%s%s%s", quote, value, quote);
     }
     thud_tui_normal(tui);
-    thud_tui_verb(tui, id, text);
+    if (text.failed)
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the command");
+    else
+        thud_tui_verb(tui, id, text.data ? text.data : "");
+    thud_text_clear(&text);
 }
 
 /* A switch is said, or it is not. */
