@@ -543,6 +543,26 @@ START_TEST(a_held_key_is_one_change)
 }
 END_TEST
 
+/* The list of what was done and said has one line of a held key, with the last value and what was said of that. */
+START_TEST(a_held_key_is_one_line_of_the_list)
+{
+    static const char *const lines[] = {":set gap 4 cm\n", ":set interfaces.1.gap 3.7 cm\n", ":set gap 7 cm\n",
+                                        ":set structures.1.mass.1 8.7 t\n", "! mass 8.7 t is unusual"};
+    fixture_keys(&f, ":set gap 4 cm<Enter><A-2>(((:set gap 7 cm<Enter>");
+    fixture_keys(&f, ":structures.1.mass.1 9 t<Enter>/structures.1.mass.1<Enter>---");
+    const char *at = f.tui->messages.data;
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        const char *found = strstr(at, lines[i]);
+        ck_assert_msg(found != NULL, "%s in\n%s", lines[i], f.tui->messages.data);
+        at = found + strlen(lines[i]);
+    }
+    ck_assert_ptr_null(strstr(f.tui->messages.data, "3.8 cm"));
+    ck_assert_ptr_null(strstr(f.tui->messages.data, "8.9 t"));
+    fixture_keys(&f, "<C-o>");
+    fixture_expect(&f, ":set interfaces.1.gap 3.7 cm");
+}
+END_TEST
+
 /* Lines of a session are as long as what they say: pasted storeys, which a terminal ends with CR, and a list of values. */
 START_TEST(long_lines_are_played_again)
 {
@@ -584,6 +604,24 @@ START_TEST(long_lines_are_played_again)
 }
 END_TEST
 
+/* Words that were said give way when there are many; commands stay. */
+START_TEST(commands_outlast_what_was_said)
+{
+    char line[200];
+    fixture_keys(&f, ":set gap 4 cm<Enter>");
+    for (int i = 0; i < 4000; i++)
+        thud_tui_keep_message(f.tui, "", "a message of forty bytes, more or less .");
+    ck_assert_uint_lt(f.tui->messages.size, 1 << 17);
+    fixture_keys(&f, ":set gap 5 cm<Enter>");
+    snprintf(line, sizeof line, ":log %s/kept.thud<Enter>", f.folder);
+    fixture_keys(&f, line);
+    char *log = fixture_file(&f, "kept.thud");
+    ck_assert_ptr_nonnull(strstr(log, "\nset gap 4 cm\nset gap 5 cm\n"));
+    ck_assert_ptr_null(strstr(log, "forty"));
+    free(log);
+}
+END_TEST
+
 /* What is longer than its place is refused, never shortened to something else. */
 START_TEST(what_has_no_room_is_refused)
 {
@@ -596,7 +634,7 @@ START_TEST(what_has_no_room_is_refused)
         struct thud_text line = {0};
         thud_text_append(&line, "%s ", refused[i]);
         for (int j = 0; j < 300; j++)
-            thud_text_append(&line, "%s", i < 2 ? "ab" : i == 2 ? "5 cm," : "a -o ");
+            thud_text_append(&line, "%s%d%s", i < 2 ? "ab" : i > 2 ? "a -o " : "", j, i == 2 ? " cm," : "");
         fixture_write(&f, "much.thud", line.data);
         ck_assert_msg(thud_tui_play_lines(f.tui, path, &out, &err) == THUD_INPUT, "%s", refused[i]);
         ck_assert_msg(strstr(err.what, i < 3 ? "too long" : "fewer than") != NULL, "%s", err.what);
@@ -853,7 +891,7 @@ START_TEST(commands_have_forms)
     fixture_expect(&f, " ! thud gap takes one preset"); /* its name once */
     fixture_program(&f, program, sizeof program, "echo working >&2; exec sleep 1000");
     fixture_expect(&f, "thud gap");
-    thud_tui_command(f.tui, "gap -j 1");
+    thud_tui_command(f.tui, (char[]){"gap -j 1"});
     while (strcmp(f.tui->said.text, "thud gap: working") != 0)
         thud_tui_turn(f.tui, true);
     thud_tui_draw(f.tui);
@@ -883,7 +921,7 @@ START_TEST(studies_show_their_figures)
         "printf '[%s]' \"$@\" >said; cat first >$THUD_FIGURES; echo >&2; until test -f go; do sleep 0.01; done; "
         "cat second >>$THUD_FIGURES; echo >&2; echo 'its table'");
     fixture_keys(&f, "<Size 130x40>:set gap 3 cm<Enter>");
-    thud_tui_command(f.tui, "bench -o out");
+    thud_tui_command(f.tui, (char[]){"bench -o out"});
     while (f.tui->dialog.mode == THUD_MODE_NORMAL)
         thud_tui_turn(f.tui, true);
     while (thud_tui_turn(f.tui, false))
@@ -1193,6 +1231,8 @@ Suite *thud_suite(void)
     tcase_add_test(files, settings_come_from_a_file);
     tcase_add_test(files, a_session_is_played_again);
     tcase_add_test(files, a_held_key_is_one_change);
+    tcase_add_test(files, a_held_key_is_one_line_of_the_list);
+    tcase_add_test(files, commands_outlast_what_was_said);
     tcase_add_test(files, long_lines_are_played_again);
     tcase_add_test(files, what_has_no_room_is_refused);
     tcase_add_test(files, swapped_keys_of_a_study_are_played_again);

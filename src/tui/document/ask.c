@@ -12,11 +12,13 @@ void thud_tui_keep_message(struct thud_tui *tui, const char *before, const char 
 {
     enum { BYTES_MAX = 1 << 16 };
     struct thud_text *all = &tui->messages;
-    if (all->size > BYTES_MAX) { /* the older half goes */
-        const char *half = strchr(all->data + all->size / 2, '\n');
-        all->size = half ? strlen(half + 1) : 0;
-        memmove(all->data, half ? half + 1 : "", all->size + 1);
+    size_t kept = all->size > BYTES_MAX ? 0 : all->size;
+    for (size_t at = kept, n; at < all->size; at += n) { /* of the older half the commands stay */
+        n = strcspn(all->data + at, "\n") + 1;
+        memmove(all->data + kept, all->data + at, n);
+        kept += all->data[kept] == ':' || at > all->size / 2 ? n : 0;
     }
+    all->size = kept;
     thud_text_append(all, "%s%s\n", before, text);
 }
 

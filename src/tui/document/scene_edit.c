@@ -69,27 +69,26 @@ static void warn(struct thud_tui *tui, const char *key)
                  usual);
 }
 
-/* An exponent keeps the number of its stiffness, so the force at delta_u changes: said, with a way out. */
-static bool set_exponent(struct thud_tui *tui, const char *key, const char *text, struct thud_error *err)
+/* The interface of a bumper's key. */
+static int interface_of(const struct thud_tui *tui, const char *key)
 {
-    int interface = tui->interface;
-    const char *at = key;
-    if (thud_scan_word(&at, "interfaces.") && thud_scan_count(&at, &interface))
-        interface--;
-    double before = thud_scene_force_at_knee(&tui->doc.scene, interface);
-    if (thud_doc_set(&tui->doc, key, text, err) != THUD_OK)
-        return false;
-    double now = thud_scene_force_at_knee(&tui->doc.scene, interface);
-    tui->kept.before_n = before;
-    tui->kept.interface = interface;
+    int interface;
+    return thud_scan_word(&key, "interfaces.") && thud_scan_count(&key, &interface) ? interface - 1 : tui->interface;
+}
+
+/* An exponent keeps the number of its stiffness, so the force at delta_u changes: said, with a way out. */
+static void say_force(struct thud_tui *tui, double before_n, int interface)
+{
+    const double now = thud_scene_force_at_knee(&tui->doc.scene, interface);
     char a[24], b[24];
-    if (isfinite(before) && isfinite(now) && before != now)
+    tui->kept.before_n = before_n;
+    tui->kept.interface = interface;
+    if (isfinite(before_n) && isfinite(now) && before_n != now)
         thud_tui_say(tui, THUD_ROLE_WARN,
                      "! %s keeps the number of the stiffness: F(delta_u) is now %s MN (was %s MN). f keeps F "
                      "instead, u undoes",
                      thud_undo_what(&tui->doc.undo, 0), thud_tui_number(1e-6 * now, a),
-                     thud_tui_number(1e-6 * before, b));
-    return true;
+                     thud_tui_number(1e-6 * before_n, b));
 }
 
 /* Why the ground motion that a choice names cannot be had; THUD_OK also where the file is there and only does not say
@@ -183,43 +182,40 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
         return true;
     }
     struct thud_text full = {0};
+    const double before_n = thud_scene_force_at_knee(&tui->doc.scene, interface_of(tui, key));
     thud_tui_with_unit(tui, key, text, &full);
     thud_tui_hush(tui);
     tui->kept.before_n = NAN;
-    const bool done = full.failed ? thud_error_set(&err, THUD_MEMORY, "no memory for the value") == THUD_OK
-                      : thud_ascii_ends(key, "bumper.exponent")
-                          ? set_exponent(tui, key, full.data, &err)
-                          : thud_doc_set(&tui->doc, key, full.data, &err) == THUD_OK;
-    if (!done)
-        thud_tui_say_error(tui, &err);
-    else if (!*tui->said.text)
-        warn(tui, key);
-    if (done && strcmp(key, "title") == 0)
-        thud_tui_log(tui, "title %s", full.data);
-    else if (done)
+    enum thud_status status = full.failed ? thud_error_set(&err, THUD_MEMORY, "no memory for the value")
+                                          : thud_doc_set(&tui->doc, key, full.data, &err);
+    if (status == THUD_OK) {
         thud_tui_log(tui, "set %s %s", key, full.data);
+        if (thud_ascii_ends(key, "bumper.exponent"))
+            say_force(tui, before_n, interface_of(tui, key));
+        if (!*tui->said.text)
+            warn(tui, key);
+    } else
+        thud_tui_say_error(tui, &err);
     thud_text_clear(&full);
-    return done;
+    return status == THUD_OK;
 }
 
 /* The state that changes are compared with stays while the same value is stepped; what a key that is held does, or the
- * mouse with its button down, is one change, and one line of the log. */
+ * mouse with its button down, is one change, and one line of the log and of the list. */
 bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text)
 {
     const bool more = strcmp(tui->run.stepped, key) == 0 && tui->run.stepped_to == tui->doc.revision,
                one = more && tui->again;
-    const size_t logged = tui->log.size, from = one ? tui->run.stepped_log : logged;
     if (one)
         thud_doc_undo(&tui->doc);
-    tui->log.size = from;
     const int before = tui->doc.undo.at;
     if (!thud_tui_set(tui, key, text)) {
         if (one)
             thud_doc_redo(&tui->doc);
-        tui->log.size = logged;
         return false;
     }
-    tui->run.stepped_log = from;
+    if (one)
+        thud_tui_log_again(tui);
     snprintf(tui->run.stepped, sizeof tui->run.stepped, "%s", tui->doc.undo.at > before ? key : "");
     tui->run.stepped_to = tui->doc.revision;
     tui->run.stepping = more;

@@ -161,7 +161,6 @@ struct thud_running {
     int design;                  /* number of the one that was run last; 0: none */
     char stepped[THUD_PATH_MAX]; /* the key that is being stepped, to this revision, */
     unsigned long stepped_to;
-    size_t stepped_log; /* where the line of the last step begins in the log */
     bool stepping;      /* and was before: changes are compared with what was before the first step */
     unsigned long seen; /* the document's, when it was last followed, and the histories wanted then */
     enum thud_live_history seen_history;
@@ -222,8 +221,7 @@ struct thud_tui {
     struct thud_form form;
     struct thud_dialog dialog;
     struct thud_files files;
-    struct thud_text log;                           /* what was done, a command a line */
-    struct thud_text messages;                      /* and that with what was said, the oldest first */
+    struct thud_text messages;                      /* what was done, as `:COMMAND`, and said; the oldest first */
     const struct thud_view *view[THUD_SCREENS + 1]; /* (screens) */
     void *own[THUD_SCREENS + 1];                    /* the state of each */
     int screens, screen, before;                    /* how many, the one shown, and the one shown before */
@@ -334,8 +332,7 @@ enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui);
 /* scene_edit.c: values; more than one value: scene_edit.h */
 bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text);      /* with messages and warnings */
 bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text); /* one more step of a value */
-/* Another ground motion, as recorded; where it cannot be found or read the one there is stays. False: it was refused.
- */
+/* Another ground motion, as recorded; false where it cannot be found or read: the one there is stays. */
 bool thud_tui_choose_record(struct thud_tui *tui, const char *file);
 /* What was typed, with the shown unit of the key where it has none. */
 void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char *typed, struct thud_text *text);

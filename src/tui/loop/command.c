@@ -71,11 +71,10 @@ static void run_open(struct thud_tui *tui, char *rest)
 /* Whether a path has room; it is never shortened to another one. */
 static bool fits(struct thud_tui *tui, const char *path)
 {
-    const bool fit = strlen(path) + sizeof ".yaml" <= sizeof tui->files.folder;
-    if (!fit)
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! the path is too long: %zu bytes, at most %zu", strlen(path),
-                     sizeof tui->files.folder - sizeof ".yaml");
-    return fit;
+    const size_t most = sizeof tui->files.folder - sizeof ".yaml";
+    if (strlen(path) > most)
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! the path is too long (at most %zu bytes)", most);
+    return strlen(path) <= most;
 }
 
 static void run_write(struct thud_tui *tui, char *rest)
@@ -146,11 +145,6 @@ static void edit_scene(struct thud_tui *tui, const char *word, char *rest)
     thud_tui_edit_scene(tui, "%s%s%.60s", word, *rest ? " " : "", rest);
 }
 
-static void run_solve(struct thud_tui *tui, char *rest)
-{
-    thud_tui_solve(tui, rest);
-}
-
 static void run_design(struct thud_tui *tui, char *rest)
 {
     if (*rest)
@@ -219,8 +213,8 @@ static void run_sweep(struct thud_tui *tui, char *rest)
 }
 
 static const struct command table[] = {
-#define THUD_RUN(own, alias, says, name)                                                                               \
-    {.word = own, .short_word = alias, .usage = says, .run = run_##name, .screen = -1},
+#define THUD_RUN(own, alias, says, function)                                                                           \
+    {.word = own, .short_word = alias, .usage = says, .run = function, .screen = -1},
 #define THUD_BY(own, says, function) {.word = own, .short_word = "", .usage = says, .by_word = function, .screen = -1},
 #define THUD_SET(own, usage, of)     {.word = own, .short_word = "", .key = of, .screen = -1},
 #define THUD_ACT(own, alias, done)   {.word = own, .short_word = alias, .action = THUD_DO_##done, .screen = -1},
@@ -273,9 +267,9 @@ static bool begins_with_key(const struct thud_tui *tui, const char *text)
     return thud_scene_param(&tui->doc.scene, key, &floor) != NULL;
 }
 
-/* Carries out a line, which is cut. */
-static void do_command(struct thud_tui *tui, char *word)
+void thud_tui_command(struct thud_tui *tui, char *text)
 {
+    char *word = text + strspn(text, " :");
     size_t n = strcspn(word, " !");
     char *rest = word + n, first[32];
     rest += strspn(rest, " ");
@@ -310,21 +304,12 @@ static void do_command(struct thud_tui *tui, char *word)
         tui->dialog.next = c->action;
 }
 
-void thud_tui_command(struct thud_tui *tui, const char *text)
-{
-    struct thud_text copy = {0};
-    thud_text_append(&copy, "%s", text);
-    if (copy.failed)
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the command");
-    else
-        do_command(tui, copy.data + strspn(copy.data, " :"));
-    thud_text_clear(&copy);
-}
-
 static void typed_command(struct thud_tui *tui, const char *text)
 {
+    char copy[THUD_LINE_MAX];
+    snprintf(copy, sizeof copy, "%s", text);
     thud_tui_remember(tui, text);
-    thud_tui_command(tui, text);
+    thud_tui_command(tui, copy);
 }
 
 void thud_tui_command_line(struct thud_tui *tui, const char *text)

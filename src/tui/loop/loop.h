@@ -77,7 +77,7 @@ void thud_tui_list_remarks(struct thud_tui *tui);
 const char *thud_tui_cannot_list_remarks(const struct thud_tui *tui); /* NULL: it can be shown */
 
 /* command.c */
-void thud_tui_command(struct thud_tui *tui, const char *text);
+void thud_tui_command(struct thud_tui *tui, char *text);            /* cuts it */
 void thud_tui_command_line(struct thud_tui *tui, const char *text); /* to be typed on */
 
 /* output.c */

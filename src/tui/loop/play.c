@@ -29,7 +29,7 @@ static void print_screen(struct thud_tui *tui, struct thud_text *out)
 }
 
 /* One line; false where it was refused, and `err` says why. */
-static bool play_line(struct thud_tui *tui, const char *line, struct thud_text *out, struct thud_error *err)
+static bool play_line(struct thud_tui *tui, char *line, struct thud_text *out, struct thud_error *err)
 {
     char before[sizeof tui->verdict.text];
     line += strspn(line, " \t:");

@@ -87,7 +87,6 @@ void thud_tui_free(struct thud_tui *tui)
     thud_tui_over_free(tui);
     thud_base_clear(&tui->base);
     thud_designs_clear(&tui->designs);
-    thud_text_clear(&tui->log);
     thud_text_clear(&tui->messages);
     thud_model_free(tui->run.model);
     thud_doc_free(&tui->doc);

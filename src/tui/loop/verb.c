@@ -72,8 +72,7 @@ void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
     word[n] = unsaved ? tui->doc.kept : tui->doc.path;
     word[n + 1 + typed] = NULL;
     enum thud_status status =
-        copy.failed ? thud_error_set(&err, THUD_MEMORY, "no memory for the command")
-        : typed + n > WORDS_MAX
+        copy.failed || typed + n > WORDS_MAX
             ? thud_error_set(&err, THUD_USAGE, "thud %s here takes fewer than %d words", command->name, WORDS_MAX)
             : thud_command_work_start(tui->options.program, word, &tui->files.command, &err);
     thud_text_clear(&copy);

@@ -47,11 +47,6 @@ void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest
     (void)word;
     for (int i = 0; i < THUD_VARY_MAX && *rest; i++) {
         const size_t n = i + 1 < THUD_VARY_MAX ? strcspn(rest, ";") : strlen(rest);
-        if (n >= sizeof vary[i]) {
-            thud_tui_say(tui, THUD_ROLE_ERROR, "! what is varied is too long (at most %zu bytes a key)",
-                         sizeof vary[i] - 1);
-            return;
-        }
         snprintf(vary[i], sizeof vary[i], "%.*s", (int)n, rest);
         rest += n;
         rest += strspn(rest, "; ");
