@@ -42,6 +42,7 @@ gives() { # STATUS ARGUMENTS...: runs, and ends so
 }
 says() { grep -q -e "$1" "$tmp/err"; }
 shows() { grep -q -e "$1" "$tmp/out"; }
+in_lines() { tr -s ' \n' '  ' <"$tmp/out" | grep -qF -e "$1"; } # WORDS: however they are wrapped
 is_png() { # FILE: from its first byte to its last
     [ "$(od -An -tx1 -N8 "$1" 2>/dev/null | tr -d ' \n')" = 89504e470d0a1a0a ] && tail -c 8 "$1" | head -c 4 | grep -q IEND
 }

@@ -7,7 +7,7 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
 # shellcheck disable=SC2086,SC2154 # words; tmp is program.sh's
 {
     is "a pendulum" gives 0 run isolated-pendulum --quiet
-    is "says displacement, what is left of it, and energy" shows '^isolators: pendulum, displacement 266\.3 mm at 8\.117 s, 8\.853 mm at the end; 3306\.4 kJ lost$'
+    is "says displacement, what is left of it, and energy" in_lines 'isolators: pendulum, displacement 266.3 mm at 8.117 s, 8.853 mm at the end; 3306.4 kJ lost'
     is "and accounts for it" shows 'lost in isolators 3306\.4; unaccounted [0-9.]*e-1[1-9]$'
     is "isolators are the base, and storeys count from above it" shows '^  base  *1  *266\.301 '
     is "as remarks and presets count them" shows '^     1    elastic$'
@@ -32,7 +32,7 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "both hold" gives 0 verify isolated-pendulum isolated-lead-rubber
     cp "$tmp/out" "$tmp/verify"
     is "by another method too" gives 0 run isolated-pendulum --method dormand-prince --tolerance 1e-11 --quiet
-    is "with the same answer" shows '^isolators: pendulum, displacement 266\.3 mm at 8\.117 s, 8\.853 mm at the end; 3306\.4 kJ lost$'
+    is "with the same answer" in_lines 'isolators: pendulum, displacement 266.3 mm at 8.117 s, 8.853 mm at the end; 3306.4 kJ lost'
     sed 's/^    isolation-stiffness: .*/    isolator: {law: pendulum, radius: 2.24 m, friction: 5 %}/; /isolation-damping/d' presets/isolated-moat.yaml >"$tmp/p.yaml"
     is "keys in one line" gives 0 run "$tmp/p.yaml" --json --quiet
     sed -n '/^  "structures"/,/"contacts"/p' "$tmp/out" >"$tmp/a"

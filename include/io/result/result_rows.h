@@ -41,6 +41,7 @@ struct thud_rows thud_floor_rows(const struct thud_floors *floors);
 struct thud_rows thud_storey_rows(const struct thud_floors *floors); /* only of structures that yield */
 struct thud_rows thud_contact_rows(const struct thud_report *report);
 struct thud_rows thud_column_rows(const struct thud_report *report);
+struct thud_rows thud_column_end_rows(const struct thud_report *report); /* for a table: the lower and the upper end */
 struct thud_rows thud_link_rows(const struct thud_report *report);
 struct thud_rows thud_impact_rows(const struct thud_report *report);
 struct thud_rows thud_event_rows(const struct thud_report *report);

@@ -9,14 +9,14 @@ static const char *const contact_peak[THUD_CONTACT_SPREADS] = {"force", "indenta
 
 static void add_spread(struct thud_text *out, const struct thud_spread *spread)
 {
-    thud_text_append(out, "  %11.3g %%", 100 * thud_spread_most(spread));
+    thud_text_append(out, "  %10.3g %%", 100 * thud_spread_most(spread));
 }
 
 static void add_contacts(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_sensitivity *s = report->sensitivity;
     if (s->ncontacts > 0)
-        thud_text_append(out, "%-22s%15s%15s\n", "interface and floors", contact_peak[0], contact_peak[1]);
+        thud_text_append(out, "%-22s%14s%14s\n", "interface and floors", contact_peak[0], contact_peak[1]);
     for (int c = 0; c < s->ncontacts; c++) {
         const struct thud_contact_result *r = &report->result->contact[c];
         char pair[40];
@@ -50,16 +50,17 @@ static void add_worst(const struct worst *worst, const char *among, struct thud_
     int digits = thud_spread_digits(worst->spread);
     if (worst->spread <= 0)
         return;
-    thud_text_append(out, "%s: ", worst->peak);
+    struct thud_text words = {0};
+    thud_text_append(&words, "%s: ", worst->peak);
     if (digits == 0)
-        thud_text_append(out, "no digit means anything");
+        thud_text_append(&words, "no digit means anything");
     else
-        thud_text_append(out, "%d digit%s anything, the fewest of all %s", digits, digits == 1 ? " means" : "s mean",
+        thud_text_append(&words, "%d digit%s anything, the fewest of all %s", digits, digits == 1 ? " means" : "s mean",
                          among);
-    thud_text_append(out, " (%.3g %%)", 100 * worst->spread);
+    thud_text_append(&words, " (%.3g %%)", 100 * worst->spread);
     if (worst->without > 1)
-        thud_text_append(out, "; nor of %d other peak%s", worst->without - 1, worst->without > 2 ? "s" : "");
-    thud_text_append(out, "\n");
+        thud_text_append(&words, "; nor of %d other peak%s", worst->without - 1, worst->without > 2 ? "s" : "");
+    thud_table_words(out, "", &words, 2);
 }
 
 static void add_digits(const struct thud_report *report, struct thud_text *out)
@@ -94,14 +95,16 @@ void thud_sensitivity_table(const struct thud_report *report, struct thud_text *
     char gap[64] = "";
     if (report->scene->nstructures == 2)
         thud_interface_gap_text(&report->scene->interface[0], gap, sizeof gap);
-    thud_text_append(out,
-                     "\nsensitivity: largest change of each peak under %g %% more or less gap, ground motion or "
-                     "storey stiffness of every second building (%d runs), from %s%s:\na change that "
-                     "begins or ends a contact counts only there\n%-*s",
-                     100 * s->change, s->runs, *gap ? "a gap of " : "the gaps as given", gap, width + 6,
-                     "structure and floor");
+    struct thud_text words = {0};
+    thud_text_append(&words,
+                     "sensitivity: largest change of each peak under %g\t%% more or less gap, ground motion or storey "
+                     "stiffness of every second building (%d runs), from %s%s: a change that begins or ends a contact "
+                     "counts only there",
+                     100 * s->change, s->runs, *gap ? "a gap of " : "the gaps as given", gap);
+    thud_table_words(out, "\n", &words, 0);
+    thud_text_append(out, "%-*s", width + 6, "structure and floor");
     for (int q = 0; q < THUD_FLOOR_SPREADS; q++)
-        thud_text_append(out, "%15s", floor_peak[q]);
+        thud_text_append(out, "%14s", floor_peak[q]);
     thud_text_append(out, "\n");
     for (int k = 0; k < report->result->nstructures; k++) {
         int floors = report->result->structure[k].floors;

@@ -19,20 +19,20 @@ static const struct thud_column floors[] = {
     {FLOOR(floor, "floor", "Floor, from 1."), .shown = {"floor", NULL, 0, 5, 0, THUD_DIGITS_WORD}},
     {FLOOR(peak.acceleration.value, "acceleration_mps2",
            "Peak total acceleration, m/s2; no value on a floor struck by impulses."),
-     .shown = {"acceleration", "m/s2", 1, 14, 5, THUD_DIGITS_PLACES}},
+     .shown = {"acceleration", "m/s2", 1, 13, 5, THUD_DIGITS_PLACES}},
     {FLOOR(peak.acceleration.time_s, "acceleration_time_s", "Time of the peak acceleration, s."),
-     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+     .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}},
     {FLOOR(peak.displacement.value, "displacement_m", "Peak displacement relative to the ground, m."),
-     .shown = {"displacement", "mm", 1e3, 14, 5, THUD_DIGITS_PLACES}},
+     .shown = {"displacement", "mm", 1e3, 13, 5, THUD_DIGITS_PLACES}},
     {FLOOR(peak.displacement.time_s, "displacement_time_s", "Time of the peak displacement, s."),
-     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+     .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}},
     {FLOOR(peak.velocity.value, "velocity_mps", "Peak velocity relative to the ground, m/s."),
-     .shown = {"velocity", "m/s", 1, 10, 4, THUD_DIGITS_PLACES}},
+     .shown = {"velocity", "m/s", 1, 9, 4, THUD_DIGITS_PLACES}},
     {FLOOR(peak.velocity.time_s, "velocity_time_s", "Time of the peak velocity, s.")},
     {FLOOR(peak.drift.value, "drift_m", "Peak displacement relative to the floor below, m."),
      .shown = {"drift", "mm", 1e3, 10, 4, THUD_DIGITS_PLACES}},
     {FLOOR(peak.drift.time_s, "drift_time_s", "Time of peak drift, s."),
-     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+     .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}},
     {FLOOR(peak.shear.value, "storey_shear_n",
            "Peak shear of the storey below, N (by a matrix or modes the sum of K u from that floor up); no value for a "
            "rigid body.")},
@@ -52,21 +52,21 @@ static const struct thud_column storeys[] = {
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
     {FLOOR(storey.yield_m, "yield_m",
            "Yield drift of the storey below the floor, m; this and the following have no value for an elastic storey."),
-     .shown = {"yields at", "mm", 1e3, 11, 4, THUD_DIGITS_FREE}},
+     .shown = {"yields at", "mm", 1e3, 10, 4, THUD_DIGITS_FREE}},
     {FLOOR(storey.hardening, "hardening", "Stiffness after yield over the elastic stiffness.")},
     {FLOOR(storey.ductility, "ductility", "Peak drift over yield drift."),
-     .shown = {"ductility", NULL, 1, 11, 3, THUD_DIGITS_FIXED}},
+     .shown = {"ductility", NULL, 1, 10, 3, THUD_DIGITS_FIXED}},
     {FLOOR(storey.permanent_m, "permanent_m", "Permanent drift at the end (drift at zero force), m."),
-     .shown = {"permanent drift", "mm", 1e3, 17, 4, THUD_DIGITS_PLACES}},
+     .shown = {"permanent drift", "mm", 1e3, 16, 4, THUD_DIGITS_PLACES}},
     {FLOOR(storey.plastic_m, "plastic_m", "Plastic drift d_p at the end, m: permanent_m over 1 - hardening.")},
     {FLOOR(storey.excursions, "excursions", "Number of yield excursions."),
-     .shown = {"excursions", NULL, 0, 12, 0, THUD_DIGITS_WORD}},
+     .shown = {"excursions", NULL, 0, 11, 0, THUD_DIGITS_WORD}},
     {FLOOR(storey.hysteretic_j, "hysteretic_j", "Hysteretic energy dissipated in the storey, J."),
      .shown = {"lost", "kJ", 1e-3, 8, 4, THUD_DIGITS_PLACES}},
     {FLOOR(storey.shear.value, "shear_n", "Peak shear of the storey, N."),
-     .shown = {"shear", "MN", 1e-6, 12, 5, THUD_DIGITS_PLACES}},
+     .shown = {"shear", "MN", 1e-6, 10, 5, THUD_DIGITS_PLACES}},
     {FLOOR(storey.shear.time_s, "shear_time_s", "Time of peak shear, s."),
-     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}}};
+     .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}}};
 const struct thud_schema thud_storey_schema =
     THUD_SCHEMA("storey",
                 "If storeys of the scene yield: in CSV after the columns of each floor, in\nJSON an object for each "
@@ -147,7 +147,7 @@ struct contact_row {
 static const struct thud_column contacts[] = {
     {CONTACT(peak.interface, "interface", "Interface from the left."),
      .shown = {"contact", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
-    {CONTACT(pair, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, -8, 0, THUD_DIGITS_WORD}},
+    {CONTACT(pair, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, -7, 0, THUD_DIGITS_WORD}},
     {CONTACT(peak.left_floor, "left_floor", "Floor on the left of the interface.")},
     {CONTACT(peak.right_floor, "right_floor", "Floor on the right of the interface.")},
     {CONTACT(peak.impacts, "impacts", "Number of impacts."), .shown = {"impacts", NULL, 0, 8, 0, THUD_DIGITS_WORD}},
@@ -159,9 +159,9 @@ static const struct thud_column contacts[] = {
      .only = THUD_ROW_COLUMNS},
     {CONTACT(peak.force.value, "force_n",
              "Peak force, N; no value, nor for its time and the indentation, where impulses have none."),
-     .shown = {"force", "MN", 1e-6, 10, 5, THUD_DIGITS_PLACES}},
+     .shown = {"force", "MN", 1e-6, 9, 5, THUD_DIGITS_PLACES}},
     {CONTACT(peak.force.time_s, "force_time_s", "Time of peak force, s."),
-     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+     .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}},
     {CONTACT(peak.indentation.value, "indentation_m", "Peak indentation, m."),
      .shown = {"indentation", "mm", 1e3, 12, 4, THUD_DIGITS_PLACES}},
     {CONTACT(peak.indentation.time_s, "indentation_time_s", "Time of the peak indentation, s.")},
@@ -170,7 +170,7 @@ static const struct thud_column contacts[] = {
              "Total duration with a compressive force (F > 0), s. It excludes the tension at the end of kelvin-voigt "
              "and contacts whose impulse does not count as an impact. For contacts with almost no force, this time and "
              "their number depend on the method and its tolerance; force and impulse do not."),
-     .shown = {"contact", "ms", 1e3, 10, 4, THUD_DIGITS_FREE}},
+     .shown = {"contact", "ms", 1e3, 9, 4, THUD_DIGITS_FREE}},
     {CONTACT(peak.residual_m, "residual_m", "Residual indentation from plastic deformation, m."),
      .shown = {"residual", "mm", 1e3, 9, 3, THUD_DIGITS_FREE}},
     {CONTACT(peak.dissipated_j, "dissipated_j", "Energy dissipated, J, excluding the energy stored at the end.")},
@@ -212,64 +212,88 @@ struct thud_rows thud_contact_rows(const struct thud_report *report)
 /* ---- columns that slabs strike ---- */
 
 struct column_row {
-    const char *structure;
+    const char *structure, *end;
     struct thud_column_result own;
-    double no_pounding_n; /* NaN: not known */
+    struct thud_peak shear, moment; /* at this end */
+    double ratio, no_pounding_n;    /* of its shear to the capacity; NaN: not known */
 };
 #define COLUMN(member, key, text) THUD_COLUMN(struct column_row, member, key, text)
-#define COLUMN_PEAK(quantity, key, text, head, unit)                                                                   \
+#define COLUMN_PEAK(quantity, key, text)                                                                               \
     {                                                                                                                  \
-        COLUMN(own.peak[quantity].value, key, text), .shown = { head, unit, 1e-3, 11, 5, THUD_DIGITS_PLACES }          \
+        COLUMN(own.peak[quantity].value, key, text)                                                                    \
     }
-#define COLUMN_TIME(kind, key)                                                                                         \
+#define COLUMN_TIME(quantity, key)                                                                                     \
     {                                                                                                                  \
-        COLUMN(own.peak[kind].time_s, key, "Time of the peak, s."), .shown = { "at", "s", 1, 9, 3, THUD_DIGITS_FIXED } \
+        COLUMN(own.peak[quantity].time_s, key, "Time of the peak, s.")                                                 \
     }
 
 static const struct thud_column columns[] = {
-    {COLUMN(own.interface, "interface", "Interface, from the left."),
-     .shown = {"columns", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
-    {COLUMN(structure, "structure", "Structure with the struck columns."),
-     .shown = {NULL, NULL, 0, -7, 0, THUD_DIGITS_WORD}},
-    {COLUMN(own.storey, "below_floor", "Floor above the columns."),
-     .shown = {"below", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {COLUMN(own.interface, "interface", "Interface, from the left.")},
+    {COLUMN(structure, "structure", "Structure with the struck columns.")},
+    {COLUMN(own.storey, "below_floor", "Floor above the columns.")},
     {COLUMN(own.drifts, "with_drift", "Whether the storey drift counts, as the columns' stiffness is given.")},
-    COLUMN_PEAK(THUD_COLUMN_SHEAR_LOWER, "shear_lower_n", "Peak shear at the lower end, N.", "shear low", "kN"),
+    COLUMN_PEAK(THUD_COLUMN_SHEAR_LOWER, "shear_lower_n", "Peak shear at the lower end, N."),
     COLUMN_TIME(THUD_COLUMN_SHEAR_LOWER, "shear_lower_time_s"),
-    COLUMN_PEAK(THUD_COLUMN_SHEAR_UPPER, "shear_upper_n", "Peak shear at the upper end, N.", "up", "kN"),
+    COLUMN_PEAK(THUD_COLUMN_SHEAR_UPPER, "shear_upper_n", "Peak shear at the upper end, N."),
     COLUMN_TIME(THUD_COLUMN_SHEAR_UPPER, "shear_upper_time_s"),
-    COLUMN_PEAK(THUD_COLUMN_MOMENT_LOWER, "moment_lower_nm", "Peak bending moment at the lower end, N m.", "moment low",
-                "kN m"),
+    COLUMN_PEAK(THUD_COLUMN_MOMENT_LOWER, "moment_lower_nm", "Peak bending moment at the lower end, N m."),
     COLUMN_TIME(THUD_COLUMN_MOMENT_LOWER, "moment_lower_time_s"),
-    COLUMN_PEAK(THUD_COLUMN_MOMENT_UPPER, "moment_upper_nm", "Peak bending moment at the upper end, N m.", "up",
-                "kN m"),
+    COLUMN_PEAK(THUD_COLUMN_MOMENT_UPPER, "moment_upper_nm", "Peak bending moment at the upper end, N m."),
     COLUMN_TIME(THUD_COLUMN_MOMENT_UPPER, "moment_upper_time_s"),
-    {COLUMN(no_pounding_n, "", ""), .only = THUD_ONLY_TEXT,
-     .shown = {"no", "pounding", 1e-3, 10, 5, THUD_DIGITS_PLACES}},
     {COLUMN(own.capacity_n, "capacity_n", "Shear capacity of the columns, N.")},
-    {COLUMN(own.ratio, "shear_over_capacity", "Larger peak shear over the capacity."),
-     .only = THUD_ONLY_CSV | THUD_ONLY_JSON | THUD_ROW_CAPACITY,
-     .shown = {"shear/", "capacity", 1, 9, 4, THUD_DIGITS_FREE}}};
+    {COLUMN(own.ratio, "shear_over_capacity", "Larger peak shear over the capacity.")}};
 const struct thud_schema thud_column_schema = THUD_SCHEMA(
     "columns",
     "In the list\n.Va columns\nof\n.Pa result.json ,\nwhere slabs strike columns: each storey that is struck.\n",
     columns);
+
+/* The table has a line for each end. */
+static const struct thud_column ends[] = {
+    {COLUMN(own.interface, "", ""), .shown = {"columns", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {COLUMN(structure, "", ""), .shown = {NULL, NULL, 0, -7, 0, THUD_DIGITS_WORD}},
+    {COLUMN(own.storey, "", ""), .shown = {"below", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {COLUMN(end, "", ""), .shown = {"end", NULL, 0, -6, 0, THUD_DIGITS_WORD}},
+    {COLUMN(shear.value, "", ""), .shown = {"shear", "kN", 1e-3, 11, 5, THUD_DIGITS_PLACES}},
+    {COLUMN(shear.time_s, "", ""), .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}},
+    {COLUMN(moment.value, "", ""), .shown = {"moment", "kN m", 1e-3, 11, 5, THUD_DIGITS_PLACES}},
+    {COLUMN(moment.time_s, "", ""), .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}},
+    {COLUMN(no_pounding_n, "", ""), .shown = {"no", "pounding", 1e-3, 10, 5, THUD_DIGITS_PLACES}},
+    {COLUMN(ratio, "", ""), .only = THUD_ROW_CAPACITY, .shown = {"shear/", "capacity", 1, 9, 4, THUD_DIGITS_FREE}}};
+static const struct thud_schema end_schema = THUD_SCHEMA("ends", "", ends);
 
 static void make_column(const void *of, int i, void *out)
 {
     const struct thud_report *report = of;
     const struct thud_column_result *c = &report->result->column[i];
     *(struct column_row *)out =
-        (struct column_row){report->scene->structure[c->structure].name, *c,
-                            report->gap && i < report->gap->ncolumns && c->drifts ? report->gap->shear_n[i] : NAN};
+        (struct column_row){.structure = report->scene->structure[c->structure].name, .own = *c};
+}
+
+static void make_end(const void *of, int i, void *out)
+{
+    const struct thud_report *report = of;
+    const bool upper = i % 2 != 0;
+    struct column_row *row = out;
+    make_column(of, i / 2, row);
+    row->end = upper ? "upper" : "lower";
+    row->shear = row->own.peak[upper ? THUD_COLUMN_SHEAR_UPPER : THUD_COLUMN_SHEAR_LOWER];
+    row->moment = row->own.peak[upper ? THUD_COLUMN_MOMENT_UPPER : THUD_COLUMN_MOMENT_LOWER];
+    row->ratio = row->shear.value / row->own.capacity_n;
+    row->no_pounding_n =
+        report->gap && i / 2 < report->gap->ncolumns && row->own.drifts ? report->gap->shear_n[i / 2] : NAN;
 }
 
 struct thud_rows thud_column_rows(const struct thud_report *report)
 {
+    return (struct thud_rows){&thud_column_schema, 0, report->result->ncolumns, make_column, report};
+}
+
+struct thud_rows thud_column_end_rows(const struct thud_report *report)
+{
     unsigned marks = 0;
     for (int i = 0; i < report->result->ncolumns; i++)
         marks |= isfinite(report->result->column[i].ratio) ? THUD_ROW_CAPACITY : 0;
-    return (struct thud_rows){&thud_column_schema, marks, report->result->ncolumns, make_column, report};
+    return (struct thud_rows){&end_schema, marks, 2 * report->result->ncolumns, make_end, report};
 }
 
 /* ---- links ---- */
@@ -284,21 +308,21 @@ struct link_row {
 
 static const struct thud_column links[] = {
     {LINK(link, "link", "Number of the link, from 1."), .shown = {"link", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
-    {LINK(ends, "ends", "Two ends of the link."), .shown = {NULL, NULL, 0, -13, 0, THUD_DIGITS_WORD}},
-    {LINK(law, "law", "Law of the link."), .shown = {NULL, NULL, 0, -12, 0, THUD_DIGITS_WORD}},
-    {LINK(own.force.value, "force_n", "Peak force, N."), .shown = {"force", "kN", 1e-3, 12, 5, THUD_DIGITS_PLACES}},
+    {LINK(ends, "ends", "Two ends of the link."), .shown = {NULL, NULL, 0, -9, 0, THUD_DIGITS_WORD}},
+    {LINK(law, "law", "Law of the link."), .shown = {NULL, NULL, 0, -9, 0, THUD_DIGITS_WORD}},
+    {LINK(own.force.value, "force_n", "Peak force, N."), .shown = {"force", "kN", 1e-3, 10, 5, THUD_DIGITS_PLACES}},
     {LINK(own.force.time_s, "force_time_s", "Time of peak force, s."),
-     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+     .shown = {"at", "s", 1, 8, 3, THUD_DIGITS_FIXED}},
     {LINK(own.stroke.value, "stroke_m",
           "Peak change of the distance between the ends, m; for a restrainer or a strut beyond its slack."),
-     .shown = {"stroke", "mm", 1e3, 10, 5, THUD_DIGITS_PLACES}},
+     .shown = {"stroke", "mm", 1e3, 9, 5, THUD_DIGITS_PLACES}},
     {LINK(own.stroke.time_s, "stroke_time_s", "Time of the peak stroke, s."), .only = THUD_ONLY_JSON},
     {LINK(own.residual_m, "residual_m",
           "Residual stroke at zero force at the end, m: slip of friction, remaining gap of soil, 0 for a restrainer or "
           "a strut; no value for other laws."),
      .shown = {"residual", "mm", 1e3, 9, 4, THUD_DIGITS_FREE}},
     {LINK(own.lost_j, "lost_j", "Energy dissipated, J, excluding the energy stored at the end."),
-     .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
+     .shown = {"lost", "kJ", 1e-3, 9, 5, THUD_DIGITS_FREE}},
     {LINK(own.engaged, "engaged",
           "Number of times that a restrainer or a strut engaged, or friction slipped; no value for other laws."),
      .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}},
