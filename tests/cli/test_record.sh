@@ -5,6 +5,7 @@
 
 is "list exits 0" gives 0 record list records
 is "list shows the three surrogates" test "$(grep -c surrogate "$tmp/out")" -eq 3
+is "list says that a README is no record" shows '^not listed: 1 entry that is no record (.md, .list or a folder)$'
 is "list without a folder finds them too" gives 0 record list
 is "they are the same three" shows san-fernando-surrogate.csv
 is "list as JSON" gives 0 record list records --json
@@ -190,7 +191,12 @@ cp records/kobe-surrogate.csv "$tmp/folder/a-name-of-more-than-forty-four-signs-
 is "a long name" gives 0 record list "$tmp/folder"
 is "moves the columns of all" [ "$(awk '/ CSV / { print index($0, " CSV ") }' "$tmp/out" | sort -u | wc -l)" -eq 1 ]
 is "prose is named with the reason" shows '^letter.txt  *cannot be read: no accelerogram is recognized in it$'
+is "where every entry is listed nothing is said to be left out" [ "$(grep -c '^not listed' "$tmp/out")" -eq 0 ]
+mkdir "$tmp/folder/more" && touch "$tmp/folder/all.list" "$tmp/folder/.hidden"
+is "a folder in a folder" gives 0 record list "$tmp/folder"
+is "and a list are counted, hidden files are not" shows '^not listed: 2 entries that are no records '
 is "as JSON" gives 0 record list "$tmp/folder" --json
+is "there are records alone" [ "$(grep -c 'not listed' "$tmp/out")" -eq 0 ]
 is "prose has its reason" shows 'letter.txt", .*"error": "no accelerogram is recognized in it"'
 is "with what it needs" shows '"file": "[^"]*ramp.txt", "format": "", "needs": "dt",'
 is "a folder there is not is bad input" gives 3 record list "$tmp/nowhere"

@@ -38,7 +38,9 @@ enum thud_status thud_paths_beside(const char *preset_path, const char *name, ch
                                    struct thud_error *err);
 
 /* Lists the files in a folder that may be ground motions, sorted: not hidden, neither prose (.md) nor a list (.list).
- * Errors: THUD_INPUT (no such folder), THUD_MEMORY. */
-enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, struct thud_error *err);
+ * `others` (NULL: not asked): how many entries that are not hidden are left out. Errors: THUD_INPUT (no such folder),
+ * THUD_MEMORY. */
+enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, size_t *others,
+                                   struct thud_error *err);
 void thud_folder_names_free(char **names, size_t count);
 bool thud_path_is_folder(const char *path);

@@ -36,7 +36,7 @@ static enum thud_status read_folder(struct site *site, const char *folder, struc
 {
     char **name, path[2 * THUD_TEXT_MAX];
     size_t count;
-    enum thud_status status = thud_folder_names(folder, &name, &count, err);
+    enum thud_status status = thud_folder_names(folder, &name, &count, NULL, err);
     if (status != THUD_OK)
         return status;
     for (size_t i = 0; i < count && status == THUD_OK; i++) {

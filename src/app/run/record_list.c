@@ -326,7 +326,7 @@ static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, 
     struct thud_error why;
     size_t count;
     snprintf(folder, sizeof folder, "%s", scene->record.file);
-    enum thud_status status = thud_folder_names(folder, &name, &count, err);
+    enum thud_status status = thud_folder_names(folder, &name, &count, NULL, err);
     for (size_t i = 0; status == THUD_OK && i < count; i++) {
         bool slash = folder[strlen(folder) - 1] == '/';
         int n = snprintf(scene->record.file, sizeof scene->record.file, "%s%s%s", folder, slash ? "" : "/", name[i]);

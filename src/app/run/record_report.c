@@ -178,10 +178,10 @@ enum thud_status thud_record_list(const char *folder, enum thud_written form, st
                                   struct thud_error *err)
 {
     struct listing listing;
-    size_t count;
+    size_t count, others;
     int width = 0;
     char **names;
-    enum thud_status status = thud_folder_names(folder, &names, &count, err);
+    enum thud_status status = thud_folder_names(folder, &names, &count, &others, err);
     if (status)
         return status;
     for (size_t i = 0; i < count; i++)
@@ -194,6 +194,9 @@ enum thud_status thud_record_list(const char *folder, enum thud_written form, st
             status = list_file(path, names[i], &listing, err);
     }
     thud_folder_names_free(names, count);
+    if (others > 0 && !listing.data)
+        thud_text_append(out, "not listed: %zu %s (.md, .list or a folder)\n", others,
+                         others == 1 ? "entry that is no record" : "entries that are no records");
     end(&listing);
     return status;
 }

@@ -244,7 +244,8 @@ static bool may_be_record(const char *folder, const char *name)
     return n > 0 && (size_t)n < sizeof path && (stat(path, &about) != 0 || S_ISREG(about.st_mode));
 }
 
-enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, struct thud_error *err)
+enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, size_t *others,
+                                   struct thud_error *err)
 {
     DIR *dir = opendir(folder);
     *names = NULL;
@@ -252,9 +253,14 @@ enum thud_status thud_folder_names(const char *folder, char ***names, size_t *co
     if (!dir)
         return thud_error_in(err, THUD_INPUT, folder, 0, "%s", strerror(errno));
     bool failed = false;
+    size_t left_out = 0;
     for (const struct dirent *entry; !failed && (entry = readdir(dir)) != NULL;) {
-        if (entry->d_name[0] == '.' || !may_be_record(folder, entry->d_name))
+        if (entry->d_name[0] == '.')
             continue;
+        if (!may_be_record(folder, entry->d_name)) {
+            left_out++;
+            continue;
+        }
         char *name = strdup(entry->d_name);
         char **more = name ? realloc(*names, (*count + 1) * sizeof **names) : NULL;
         if (more) {
@@ -266,6 +272,8 @@ enum thud_status thud_folder_names(const char *folder, char ***names, size_t *co
         }
     }
     closedir(dir);
+    if (others)
+        *others = left_out;
     if (failed) {
         thud_folder_names_free(*names, *count);
         *names = NULL;

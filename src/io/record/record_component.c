@@ -59,7 +59,7 @@ enum thud_status thud_record_companion(const char *path, const struct thud_recor
     if (thud_record_is_vertical(record) || own - path >= (long)sizeof folder)
         return THUD_OK;
     snprintf(folder, sizeof folder, "%.*s", own > path ? (int)(own - path) : 1, own > path ? path : ".");
-    enum thud_status status = thud_folder_names(folder, &name, &count, err);
+    enum thud_status status = thud_folder_names(folder, &name, &count, NULL, err);
     for (size_t i = 0; status == THUD_OK && !*out && i < count; i++) {
         struct thud_error no;
         if (!alike(own, name[i]) || snprintf(other, size, "%.*s%s", (int)(own - path), path, name[i]) >= (int)size)
