@@ -1,5 +1,5 @@
-/* Return the larger and the smaller of two numbers; NaN if either is NaN, so that NaN propagates. What is compared first
- * is an instruction, not a branch, and gives b where a comparison fails. */
+/* Return the larger and the smaller of two numbers; NaN if either is NaN, so that NaN propagates. What is compared
+ * first is an instruction, not a branch, and gives b where a comparison fails. */
 #pragma once
 
 #include <math.h>

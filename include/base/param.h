@@ -19,8 +19,7 @@ struct thud_param {
     double least, most;
     bool least_open, most_open; /* the bound itself is refused */
     double soft_least, soft_most;
-    const char *const *
-        choices; /* NULL-terminated; of whole numbers (NULL: none): words allowed in place of one, the i-th stored as -1 - i */
+    const char *const *choices; /* NULL-terminated words; of whole numbers (or NULL): the i-th is stored as -1 - i */
 };
 
 /* Writes the allowed values in words: "> 0, up to 1e6 t", "paper, exact"; empty if anything is allowed. */

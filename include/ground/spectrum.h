@@ -13,7 +13,7 @@ struct thud_spectrum_point {
     double acceleration_mps2; /* Sa, total (not the pseudo acceleration) */
 };
 
-/* Computes the response of one oscillator; period 0: rigid. damping in [0, 1), period finite and not negative (asserted). */
+/* Computes the response of one oscillator; period 0: rigid. damping in [0, 1), period finite and >= 0 (asserted). */
 struct thud_spectrum_point thud_spectrum_at(const struct thud_record *record, double period_s, double damping);
 
 /* Returns the pseudo spectral acceleration omega^2 Sd at 5 % damping, to which ground motions are scaled; period > 0

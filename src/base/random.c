@@ -44,8 +44,8 @@ double thud_normal_quantile(double p)
 
 double thud_chi_square_tail(double x, int free)
 {
-    /* Abramowitz and Stegun 26.4.4 and 26.4.5: Q(x | n + 2) = Q(x | n) + (x / 2)^(n / 2) exp(-x / 2) / Gamma(n / 2 + 1);
-     * the logarithm of the term goes from n to n + 2, for lgamma writes a global */
+    /* Abramowitz and Stegun 26.4.4 and 26.4.5: Q(x | n + 2) = Q(x | n) + (x / 2)^(n / 2) exp(-x / 2) / Gamma(n / 2 +
+     * 1); the logarithm of the term goes from n to n + 2, for lgamma writes a global */
     if (!(x > 0))
         return 1;
     static const double four_over_pi = 1.27323954473516268615; /* 1 / Gamma(3 / 2)^2 */

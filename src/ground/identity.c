@@ -200,7 +200,7 @@ static double sample(const struct thud_record *record, double dt_s, long n, doub
     return squares;
 }
 
-/* Largest |sum of a_i b_i+lag| over lags of 0 to `most` samples, or few more, four side by side; a (n), and b as long as that is. */
+/* Largest |sum of a_i b_i+lag| over lags of 0 to `most` samples, or few more, four at a time; a (n), b long enough. */
 static double correlate(const double *a, long n, const double *b, long most)
 {
     double largest = 0;

@@ -13,7 +13,7 @@
  *
  * and that is the gain of two passes, which leave the phase as it was.
  *
- * A filter that runs backwards responds before the motion begins. Zeros are put at both ends, long enough for the answer
+ * A filter that runs backwards responds before the motion begins. Zeros are put at both ends, enough for the answer
  * to die away, and stay there: without them the motion would not begin at rest, and its displacement would drift again
  * (Boore 2005, BSSA 95, 745-750; 1.5 n / f1 at each end, where the band is not narrower than that). */
 #include "ground/record_filter.h"

@@ -25,8 +25,8 @@
  *     Tg <= T <= 5 Tg       a = a_max n2 (Tg/T)^g
  *     5 Tg <= T             a = a_max (n2 0.2^g - n1 (T - 5 Tg))
  *
- * NZS 1170.5:2004, 3.1.1 and the equations of C3.1.2, 5 %: Sa = g C_h(T) Z R, the near-fault factor N(T,D) being 1 (20 km
- * or more from the major faults of table 3.6). C_h rises from C_h(0) to a plateau between 0.1 s and T_p, falls as T^-0.75
+ * NZS 1170.5:2004, 3.1.1 and the equations of C3.1.2, 5 %: Sa = g C_h(T) Z R, with near-fault factor N(T,D) = 1 (20 km
+ * or more from the major faults of table 3.6). C_h rises from C_h(0) to a plateau from 0.1 s to T_p, falls as T^-0.75
  * up to 1.5 s, as 1/T up to 3 s, and as 1/T^2 from there on. */
 #include "ground/target.h"
 

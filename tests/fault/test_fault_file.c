@@ -205,7 +205,8 @@ static void *write_file(void *unused)
     return NULL;
 }
 
-/* A signal ends the program while a file is made: just behind that in the same thread, just before it in another one. */
+/* A signal ends the program while a file is made: just behind that in the same thread, just before it in another
+ * one. */
 START_TEST(a_file_just_made_is_dropped_too)
 {
     const bool other_thread = _i;

@@ -133,8 +133,8 @@ START_TEST(sentences_in_tables_and_what_is_cut)
 }
 END_TEST
 
-/* A long table may go over a page's end, but not next to its first or last row; every page repeats its caption, which is
- * a row of its head and stands there once. A hash that begins with a figure is no number. */
+/* A long table may go over a page's end, but not next to its first or last row; every page repeats its caption, which
+ * is a row of its head and stands there once. A hash that begins with a figure is no number. */
 START_TEST(no_row_of_a_long_table_stands_alone)
 {
     enum { ROWS = 20 };

@@ -291,7 +291,8 @@ START_TEST(a_wall_that_gives_is_drawn_with_what_holds_it)
 }
 END_TEST
 
-/* Masses and stiffnesses of a tall building stand apart from each other: 14 lines have room in the height of the drawing. */
+/* Masses and stiffnesses of a tall building stand apart from each other: 14 lines have room in the height of the
+ * drawing. */
 START_TEST(numbers_of_a_tall_building_stand_apart)
 {
     struct sample *s = make();

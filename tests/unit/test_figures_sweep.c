@@ -264,8 +264,8 @@ START_TEST(curves_have_the_names_of_events)
 }
 END_TEST
 
-/* The gap from which there is no contact is a line in every figure against the gap, along whichever axis, and the note says
- * so; beyond the gaps that are shown there is none. */
+/* The gap from which there is no contact is a line in every figure against the gap, along whichever axis, and the note
+ * says so; beyond the gaps that are shown there is none. */
 START_TEST(every_figure_against_the_gap_has_its_line)
 {
     struct thud_sweep_need_row need[2 * RECORDS] = {{.level = {.interface = 1, .relative_displacement_m = 0.11}},

@@ -1,4 +1,5 @@
-/* Floor spectra: oscillators on floors against the ground's own spectrum, closed forms, and an integration of histories. */
+/* Floor spectra: oscillators on floors against the ground's own spectrum, closed forms, and an integration of
+ * histories. */
 #include <check.h>
 #include <complex.h>
 #include <math.h>

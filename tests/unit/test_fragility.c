@@ -448,7 +448,8 @@ START_TEST(both_signs_are_one_draw)
 }
 END_TEST
 
-/* All motions the same: none and then all, so an interval; fewer than seven have no band, fewer than three none at all. */
+/* All motions the same: none and then all, so an interval; fewer than seven have no band, fewer than three none at
+ * all. */
 START_TEST(equal_motions_and_few)
 {
     const double needed[] = {0.1005, 0.1005, 0.1005, 0.1005, 0.1005, 0.1005, 0.1005, 0.1005},
@@ -602,8 +603,8 @@ START_TEST(a_suite_holds_what_the_rows_say)
 }
 END_TEST
 
-/* Against the gap the line stands where the last of the motions no longer causes contact, whatever is asked; none and all
- * of the motions stand off the frame, and counts of cases beside each other. */
+/* Against the gap the line stands where the last of the motions no longer causes contact, whatever is asked; none and
+ * all of the motions stand off the frame, and counts of cases beside each other. */
 START_TEST(a_figure_against_the_gap_has_its_line)
 {
     const double needed[] = {0.075, 0.085, 0.105, 0.125, 0.145, 0.165, 0.115};
@@ -631,8 +632,8 @@ START_TEST(a_figure_against_the_gap_has_its_line)
 }
 END_TEST
 
-/* A spectral acceleration is told with its damping and its period: that which is asked for, the mean of the first ones, or
- * in words where it is not the same at every point. */
+/* A spectral acceleration is told with its damping and its period: that which is asked for, the mean of the first ones,
+ * or in words where it is not the same at every point. */
 START_TEST(a_spectral_acceleration_has_its_period)
 {
     static const struct {

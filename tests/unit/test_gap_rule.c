@@ -239,8 +239,8 @@ START_TEST(what_happens_at_the_gap)
 }
 END_TEST
 
-/* DDC's periods are elastic ones: where a storey yields it has no value, and where none does, however little is missing,
- * it has. */
+/* DDC's periods are elastic ones: where a storey yields it has no value, and where none does, however little is
+ * missing, it has. */
 START_TEST(no_ddc_where_storeys_yield)
 {
     for (int i = 0; i < 2; i++) {

@@ -94,7 +94,8 @@ static unsigned big_endian(const char *data)
     return (unsigned)d[0] << 24 | (unsigned)d[1] << 16 | (unsigned)d[2] << 8 | d[3];
 }
 
-/* A legend of one tells nothing apart and is left out; two are told apart; a caption may take the place of the title. */
+/* A legend of one tells nothing apart and is left out; two are told apart; a caption may take the place of the
+ * title. */
 START_TEST(legends_and_titles_stand_where_they_say_something)
 {
     struct thud_figure *figure = thud_figure_create("f", "The title", 1, 1);
@@ -663,8 +664,8 @@ START_TEST(a_copy_is_just_like_it)
 }
 END_TEST
 
-/* The names of two near lines stand on their outer sides; a reference that coincides with a curve lies over it in dashes;
- * a strip of zeros takes the scale of the others. */
+/* The names of two near lines stand on their outer sides; a reference that coincides with a curve lies over it in
+ * dashes; a strip of zeros takes the scale of the others. */
 START_TEST(nothing_hides_another)
 {
     struct thud_figure *figure = thud_figure_create("near", "", 2, 1);

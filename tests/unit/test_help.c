@@ -1,6 +1,6 @@
-/* The list of commands fits a screen of 80 x 24; the help of a command has every option it knows and no other. Which command
- * knows which option is written down here as well. Options are found by the commands that know them and by no others, and every shell is
- * told of each of them. */
+/* The list of commands fits a screen of 80 x 24; the help of a command has every option it knows and no other. Which
+ * command knows which option is written down here as well. Options are found by the commands that know them and by no
+ * others, and every shell is told of each of them. */
 #include <check.h>
 #include <stdio.h>
 #include <string.h>

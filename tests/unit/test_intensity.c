@@ -112,7 +112,8 @@ START_TEST(sine)
 }
 END_TEST
 
-/* The maximum of the exact spectrum over a dense grid is found to 1 % of the period, however close a second one comes. */
+/* The maximum of the exact spectrum over a dense grid is found to 1 % of the period, however close a second one
+ * comes. */
 START_TEST(predominant_is_the_largest)
 {
     double a[600];

@@ -64,7 +64,8 @@ START_TEST(unchanged_is_the_same_bytes)
 }
 END_TEST
 
-/* Gaps by level and levels that meet: a list that changes keeps its comment, one that is new or taken away leaves the rest. */
+/* Gaps by level and levels that meet: a list that changes keeps its comment, one that is new or taken away leaves the
+ * rest. */
 START_TEST(lists_by_level)
 {
     static const char base[] = "structures:\n  - {kind: shear, storeys: 2, mass: 300 t, stiffness: 600 MN/m}\n"
@@ -515,8 +516,8 @@ START_TEST(carriage_returns_and_a_missing_newline_stay)
 }
 END_TEST
 
-/* Where values are from stands beside each group of keys: it is read back whatever letters it has, a line comes and goes
- * and nothing else changes, and no run sees it. */
+/* Where values are from stands beside each group of keys: it is read back whatever letters it has, a line comes and
+ * goes and nothing else changes, and no run sees it. */
 START_TEST(sources_beside_every_group)
 {
     static const char text[] =

@@ -185,7 +185,8 @@ START_TEST(thinning_keeps_what_is_slow)
 }
 END_TEST
 
-/* A low pass at a corner that is no whole fraction of the rate: what is slower by a sixth stays, what is faster is gone. */
+/* A low pass at a corner that is no whole fraction of the rate: what is slower by a sixth stays, what is faster is
+ * gone. */
 START_TEST(a_low_pass_keeps_what_is_slow)
 {
     const double dt = 0.01, corner_hz = 7.3, slow_hz = corner_hz / 1.25, fast_hz = corner_hz * 1.25;

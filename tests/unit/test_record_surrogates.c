@@ -1,5 +1,5 @@
-/* The shipped ground motions. The surrogates are what their own comment lines say: made again from those lines they give
- * the same bytes. Their peaks are those of the motions they stand in for, and they read without an option. */
+/* The shipped ground motions. The surrogates are what their own comment lines say: made again from those lines they
+ * give the same bytes. Their peaks are those of the motions they stand in for, and they read without an option. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,8 +70,8 @@ START_TEST(reads_without_an_option)
 }
 END_TEST
 
-/* The recorded motion: peaks of the file it was cut from, as GeoNet's own header has them (its velocity and displacement
- * are GeoNet's integrals of the whole record), and attribution, licence and changes in the file itself. */
+/* The recorded motion: peaks of the file it was cut from, as GeoNet's own header has them (its velocity and
+ * displacement are GeoNet's integrals of the whole record), and attribution, licence and changes in the file itself. */
 START_TEST(the_recorded_one_is_geonets)
 {
     static const char path[] = "records/kaikoura-wtmc.csv";

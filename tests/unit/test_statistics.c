@@ -33,7 +33,8 @@ START_TEST(quantiles_by_hand)
 }
 END_TEST
 
-/* The ends of Wilson's interval are the shares p whose own normal deviation is the quantile: (share - p)^2 = z^2 p (1 - p) / n. */
+/* The ends of Wilson's interval are the shares p whose own normal deviation is the quantile: (share - p)^2 = z^2 p (1 -
+ * p) / n. */
 START_TEST(share_band_solves_its_equation)
 {
     static const double z = 1.6448536269514722;

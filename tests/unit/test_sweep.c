@@ -218,8 +218,8 @@ static bool same_contacts(const struct thud_model *a, const struct thud_model *b
     return same;
 }
 
-/* Each run's model against that of every run before it: the first with the same contacts makes it. A cavity 1 cm deep is
- * a bumper without one at a gap 1 cm wider. */
+/* Each run's model against that of every run before it: the first with the same contacts makes it. A cavity 1 cm deep
+ * is a bumper without one at a gap 1 cm wider. */
 START_TEST(runs_with_the_same_contacts_are_made_by_the_first)
 {
     enum { CASES = 3, POINTS = 2 * 11 };

@@ -186,7 +186,8 @@ START_TEST(cases_without_an_answer_take_no_room)
 }
 END_TEST
 
-/* A floor takes four numbers, with a spread twelve, a run four and five for each structure, with a spread three times as many; whatever the most is that a scene may have. */
+/* A floor takes four numbers, with a spread twelve, a run four and five for each structure, with a spread three times
+ * as many; whatever the most is that a scene may have. */
 START_TEST(the_room_is_what_the_scene_needs)
 {
     const size_t number = sizeof(double);

@@ -563,7 +563,8 @@ START_TEST(a_held_key_is_one_line_of_the_list)
 }
 END_TEST
 
-/* Lines of a session are as long as what they say: pasted storeys, which a terminal ends with CR, and a list of values. */
+/* Lines of a session are as long as what they say: pasted storeys, which a terminal ends with CR, and a list of
+ * values. */
 START_TEST(long_lines_are_played_again)
 {
     enum { STOREYS = 120 };
@@ -703,9 +704,9 @@ static int count_keys(const char *keys)
     return n;
 }
 
-/* Two buildings of one's own, their roofs lighter, on one's own ground motion, at one's own gap: the result, the figures,
- * the file, and all of it there again. 178 keys before there was a form, a list of files and a step back to what was
- * saved; half of that is the least that was asked for. */
+/* Two buildings of one's own, their roofs lighter, on one's own ground motion, at one's own gap: the result, the
+ * figures, the file, and all of it there again. 178 keys before there was a form, a list of files and a step back to
+ * what was saved; half of that is the least that was asked for. */
 START_TEST(the_walk_of_an_engineer)
 {
     static const char *const walk[] = {
@@ -743,8 +744,8 @@ START_TEST(the_walk_of_an_engineer)
 }
 END_TEST
 
-/* Two buildings of one's own, a suite of two motions, three designs: another gap and a bumper, fragility over the suite,
- * and the report of what is on the screen, with the others beside it. */
+/* Two buildings of one's own, a suite of two motions, three designs: another gap and a bumper, fragility over the
+ * suite, and the report of what is on the screen, with the others beside it. */
 START_TEST(the_walk_to_a_report)
 {
     static const char *const walk[] = {
@@ -848,8 +849,8 @@ START_TEST(new_scenes_of_every_kind)
 }
 END_TEST
 
-/* The form has the command's own options; what is filled in is what the command gets, on the file that is open. Progress is
- * said while it runs, then the files or what it prints. */
+/* The form has the command's own options; what is filled in is what the command gets, on the file that is open.
+ * Progress is said while it runs, then the files or what it prints. */
 START_TEST(commands_have_forms)
 {
     char program[200], expected[300];
@@ -901,8 +902,8 @@ START_TEST(commands_have_forms)
 }
 END_TEST
 
-/* A study's figures come while it runs, each in place of the one before it, of what stands on the screen; they stay, and
- * say so, once that is another. */
+/* A study's figures come while it runs, each in place of the one before it, of what stands on the screen; they stay,
+ * and say so, once that is another. */
 START_TEST(studies_show_their_figures)
 {
     char program[200], expected[300];

@@ -218,7 +218,8 @@ START_TEST(an_impact_is_opened)
 }
 END_TEST
 
-/* The cursor stands at the peak itself, of every case: the movement shows the force and the figure's cursor its time. */
+/* The cursor stands at the peak itself, of every case: the movement shows the force and the figure's cursor its
+ * time. */
 START_TEST(the_largest_impact_is_at_the_largest_force)
 {
     fixture_keys(&f, "<A-5>");

@@ -391,8 +391,8 @@ START_TEST(a_suite_is_put_together_on_the_record_screen)
 }
 END_TEST
 
-/* Needed gaps and fragility stand there from the third motion on, and grow with each: the last ones are those of a study
- * that was shown only at its end. */
+/* Needed gaps and fragility stand there from the third motion on, and grow with each: the last ones are those of a
+ * study that was shown only at its end. */
 START_TEST(a_fragility_fills_as_the_motions_come_in)
 {
     char words[400] = ":records ";

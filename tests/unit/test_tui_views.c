@@ -264,8 +264,8 @@ START_TEST(numbers_are_dragged)
 }
 END_TEST
 
-/* The wheel keeps what is under the pointer there, dragging moves all by as many columns, keys go on beyond the edge; of a
- * logarithmic axis as well. */
+/* The wheel keeps what is under the pointer there, dragging moves all by as many columns, keys go on beyond the edge;
+ * of a logarithmic axis as well. */
 START_TEST(charts_are_zoomed_and_moved)
 {
     fixture_keys(&f, "3ccc<Tab>z"); /* the spectrum */
@@ -504,7 +504,8 @@ static int spark_height(int which)
     return high;
 }
 
-/* Each floor has its acceleration beside it, higher where it is larger; the buildings stand beside records and results. */
+/* Each floor has its acceleration beside it, higher where it is larger; the buildings stand beside records and
+ * results. */
 START_TEST(wide_screens_show_what_moves)
 {
     fixture_close(&f);
@@ -562,7 +563,8 @@ START_TEST(buildings_stand_at_their_elevations)
 }
 END_TEST
 
-/* Linked buildings have the shapes, periods and effective masses of their system: five modes of two and three floors. */
+/* Linked buildings have the shapes, periods and effective masses of their system: five modes of two and three
+ * floors. */
 START_TEST(linked_buildings_have_modes_of_both)
 {
     char text[40], number[24];
@@ -597,8 +599,8 @@ START_TEST(a_floor_that_is_gone_is_not_shown)
 }
 END_TEST
 
-/* Work of the shear along the drift as the figure has them: what was lost in yielding, but for the little that the springs
- * keep. */
+/* Work of the shear along the drift as the figure has them: what was lost in yielding, but for the little that the
+ * springs keep. */
 START_TEST(the_loop_of_a_storey_holds_what_it_lost)
 {
     fixture_keys(&f, "5");
@@ -758,8 +760,8 @@ START_TEST(struck_columns_are_named_and_drawn_at_the_slab)
 }
 END_TEST
 
-/* Another law is laid over the one before it. Hertz without damping by hand: m v^2/2 = 2/5 k d^2.5, F = k d^1.5 with the
- * floors' 160 t and 87 kN/mm^1.5 (its default, as the stiffness of the other has another dimension). */
+/* Another law is laid over the one before it. Hertz without damping by hand: m v^2/2 = 2/5 k d^2.5, F = k d^1.5 with
+ * the floors' 160 t and 87 kN/mm^1.5 (its default, as the stiffness of the other has another dimension). */
 START_TEST(a_law_is_laid_over_another)
 {
     double k = 87e3 * pow(1e3, 1.5), energy = 0.5 * 160e3 * 0.25, force = k * pow(pow(2.5 * energy / k, 0.4), 1.5);

@@ -156,9 +156,9 @@ START_TEST(every_stratum_once)
 }
 END_TEST
 
-/* The first points of the first two dimensions in closed form (van der Corput in Gray code order); in every dimension the
- * first 2^k points fill each of the 2^k intervals once, also shifted; and in the first pair of dimensions each of their
- * rectangles of area 2^-k (a (0, 2)-sequence). */
+/* The first points of the first two dimensions in closed form (van der Corput in Gray code order); in every dimension
+ * the first 2^k points fill each of the 2^k intervals once, also shifted; and in the first pair of dimensions each of
+ * their rectangles of area 2^-k (a (0, 2)-sequence). */
 START_TEST(sobol_points_fill_their_intervals)
 {
     enum { K = 6, N = 1 << K, DIMENSIONS = THUD_SOBOL_DIMENSIONS };

@@ -26,7 +26,7 @@ void thud_opensees_compare(const struct thud_scene *scene, const struct thud_res
 
 /* Ways in which the script ends other than with 0. DIFFERS: by more than 1 % in an acceleration. */
 enum { THUD_OPENSEES_DIFFERS = 3, THUD_OPENSEES_DIVERGED, THUD_OPENSEES_MISSING };
-/* Writes the script of a scene that passed the check, or of the nearest one. `record` NULL: no ground motion; `result`: of
- * the exact method. */
+/* Writes the script of a scene that passed the check, or of the nearest one. `record` NULL: no ground motion; `result`:
+ * of the exact method. */
 void thud_opensees_script(const struct thud_scene *scene, const struct thud_model *model,
                           const struct thud_record *record, const struct thud_result *result, struct thud_text *out);

@@ -30,8 +30,8 @@ enum thud_fit {
     THUD_FIT_COUNTED,   /* the event need not be monotone in what is varied: none is tried */
     THUD_FIT_NEVER,     /* it happens under no motion at any value */
     THUD_FIT_ALWAYS,    /* under every motion at every value */
-    THUD_FIT_SEPARATED, /* the counts go from none to all at once: the likelihood grows without bound as beta goes to 0 */
-    THUD_FIT_REJECTED, /* the deviance rejects the curve at 5 %, or it goes the other way than it must */
+    THUD_FIT_SEPARATED, /* the counts go from none to all at once: as beta goes to 0 the likelihood has no bound */
+    THUD_FIT_REJECTED,  /* the deviance rejects the curve at 5 %, or it goes the other way than it must */
     THUD_FIT_CURVE
 };
 const char *thud_fit_name(enum thud_fit fit); /* "none", "counted", ... */

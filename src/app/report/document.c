@@ -266,8 +266,8 @@ static bool is_words(const char *text)
     return strlen(text) > 24 || !strchr("0123456789+-.<[", *text);
 }
 
-/* Words begin at the left of their column, numbers end at its right: of a table, one of whose body's cells in column k is
- * in words. */
+/* Words begin at the left of their column, numbers end at its right: of a table, one of whose body's cells in column k
+ * is in words. */
 static bool column_is_words(const struct thud_document *document, size_t table, int k)
 {
     int column = 0, row = 0;
@@ -391,8 +391,8 @@ static void html_element(struct thud_text *out, const char *open, const char *te
 /* The name of a row that is kept on one line. */
 enum { SHORT_MOST = 48, WORDS_SHORT = 16 };
 
-/* A table of more rows may go over a page's end: kept together it would leave half a page empty. So many rows at its head
- * and at its foot stay together, so that no row stands alone. Its caption is a row of its head, which every page repeats. */
+/* A table of more rows may go over a page's end: kept together it would leave half a page empty. So many rows at its
+ * head and at its foot stay together. Its caption is a row of its head, which every page repeats. */
 enum { ROWS_TOGETHER = 16, ROWS_AT_END = 3 };
 
 /* A table of more columns than a page takes in the letters of others has smaller ones. */

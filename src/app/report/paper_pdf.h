@@ -5,8 +5,8 @@
 
 #include "base/status.h"
 
-/* Makes FOLDER/report.pdf of FOLDER/report.html. `cancel` may be NULL. Errors: THUD_OUTPUT (no such program is found, it
- * failed or took too long), THUD_CANCELLED. */
+/* Makes FOLDER/report.pdf of FOLDER/report.html. `cancel` may be NULL. Errors: THUD_OUTPUT (no such program is found,
+ * it failed or took too long), THUD_CANCELLED. */
 enum thud_status thud_report_pdf(const char *folder, const atomic_int *cancel, struct thud_error *err);
 /* Removes one that an earlier report left there. */
 void thud_report_pdf_remove(const char *folder);

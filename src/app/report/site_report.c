@@ -173,8 +173,8 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
     return status;
 }
 
-/* All uncertain inputs sampled jointly, for a suite with one ground motion per sample. A scene where nothing is uncertain, or where a sample is no possible scene, has
- * no such table. */
+/* All uncertain inputs sampled jointly, for a suite with one ground motion per sample. A scene where nothing is
+ * uncertain, or where a sample is no possible scene, has no such table. */
 static enum thud_status draw_samples(struct site *site, struct thud_error *err)
 {
     const struct thud_site_report_options *options = site->options;
@@ -222,7 +222,7 @@ static enum thud_status run_floors(struct site *site, struct thud_error *err)
     return thud_floor_spectra_run(site->scene, site->record, &ask, &site->floors, err);
 }
 
-/* The ground motion shown in detail: one of the load cases, with its factor; of several that which needs the widest gap. */
+/* The ground motion shown in detail: one of the load cases, with its factor; of several the one with the widest gap. */
 static enum thud_status choose_motion(struct site *site, struct thud_error *err)
 {
     const struct thud_record_list *records = site->options->records;

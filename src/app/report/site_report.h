@@ -31,7 +31,7 @@ struct thud_site_report_options {
 };
 
 /* Writes report.html, which needs nothing else, and report.md with its figures (SVG) into the folder. THUD_GNUPLOT:
- * both are written, without figures. With `pdf` report.pdf too; one of before is removed in any case. Errors: THUD_INPUT,
- * THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
+ * both are written, without figures. With `pdf` report.pdf too; one of before is removed in any case. Errors:
+ * THUD_INPUT, THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
 enum thud_status thud_site_report(struct thud_session *session, const struct thud_site_report_options *options,
                                   struct thud_error *err);

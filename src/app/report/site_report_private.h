@@ -29,8 +29,8 @@ struct site_case {
     const struct thud_result *result;
 };
 
-/* The suite of ground motions: every one at several scales, without and with the bumper. Case k of the plan is SITE_NONE + k
- * of the report. */
+/* The suite of ground motions: every one at several scales, without and with the bumper. Case k of the plan is
+ * SITE_NONE + k of the report. */
 struct site_suite {
     struct thud_sweep_plan plan; /* its axis: the factor on the motions; of one motion it has none */
     struct thud_suite *runs;
@@ -118,7 +118,7 @@ void thud_site_checks(struct site *site);
 void thud_site_unmade(struct site *site);
 void thud_site_provenance(struct site *site);
 
-/* Storeys of buildings that can yield, in the scene as written; isolators are none. *past, unless NULL: those that do. */
+/* Storeys of buildings that can yield, in the scene as written, without isolators. *past (or NULL): those that do. */
 int thud_site_storeys(const struct site *site, int *past);
 /* How many floors (storeys, for drifts) the measure of a case lowers, leaves unchanged and raises. */
 void thud_site_effect(const struct site *site, const struct site_case *one, bool drifts, int count[3]);
@@ -143,8 +143,8 @@ void thud_site_suite_section(struct site *site);
 
 /* ---- the required gap ---- */
 
-/* What a rule asks for over the ground motions at an interface (from 1; 0: of all), as `thud gap` tells it: THUD_GAP_EXACT
- * is the largest of them. A gap of -1: nothing can touch. */
+/* What a rule asks for over the ground motions at an interface (from 1; 0: of all), as `thud gap` tells it:
+ * THUD_GAP_EXACT is the largest of them. A gap of -1: nothing can touch. */
 struct thud_gap_ruled thud_site_ruled(const struct thud_gap_study *gaps, int nstructures, int interface, int rule);
 /* The same of the report's code over a study of so many structures, and where it is from. */
 double thud_site_gap_by_code(const struct site *site, const struct thud_gap_study *gaps, int nstructures,
@@ -199,8 +199,8 @@ struct thud_site_shown {
     char text[32];
 };
 struct thud_site_shown thud_site_number(double value, int digits);
-/* A table with a column for every case from one on, whose head has its letter: "b", "b: force MN", "c/b". The caption says
- * which is which. */
+/* A table with a column for every case from one on, whose head has its letter: "b", "b: force MN", "c/b". The caption
+ * says which is which. */
 void thud_site_case_table(struct site *site, const char *caption, int from);
 static inline char thud_site_letter(int i)
 {
@@ -220,8 +220,8 @@ void thud_site_sides(const struct site *site, int interface, int left, int right
 void thud_site_motion(const struct thud_record *record, char *text, size_t size);
 /* Whose struck columns they are: "floor 5 of B". Returns `name`. */
 const char *thud_site_columns(const struct site *site, const struct thud_column_result *r, char *name, size_t size);
-/* What a choice stands for, of "keep: it widens the clearance; recover: ..." the words behind the value's own, and their
- * length; NULL: its help has none. */
+/* What a choice stands for, of "keep: it widens the clearance; recover: ..." the words behind the value's own, and
+ * their length; NULL: its help has none. */
 const char *thud_site_choice(const struct thud_param *param, const char *value, int *length);
 /* The contact with the largest force; NULL where there was no contact. */
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);

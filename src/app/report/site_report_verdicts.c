@@ -1,4 +1,4 @@
-/* The first page of a report, for who decides: what was asked and what came out, a row each; and every input by its key. */
+/* The first page of a report, for who decides: what was asked and found, a row each; and every input by its key. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -54,7 +54,7 @@ static bool pounds_at(const struct site_case *one, int interface)
     return false;
 }
 
-/* What the runs say of a gap that is wide enough or not when nothing else touches: between bare faces, and as written. */
+/* What the runs say of a gap that is enough or not when nothing else touches: between bare faces, and as written. */
 static const char *gap_verdict(const struct site *site, int interface, bool bare_enough, bool own_enough)
 {
     const bool bare = pounds_at(thud_site_bare(site), interface), /* links stand in what is required */

@@ -104,8 +104,8 @@ double thud_live_peak(const struct thud_live *live, enum thud_live_which which, 
                       enum thud_peak_kind kind);
 double thud_live_floor(const struct thud_live *live, enum thud_live_which which, int structure, int floor,
                        enum thud_peak_kind kind);
-/* Largest force over the contacts of interface `interface` (from 1; 0: all; NaN: some are impulses, which have none), and
- * the number of impacts. */
+/* Largest force over the contacts of interface `interface` (from 1; 0: all; NaN: some are impulses, which have none),
+ * and the number of impacts. */
 double thud_live_force(const struct thud_live *live, enum thud_live_which which, int interface, int *impacts);
 /* Sum of the impulses of the same contacts. */
 double thud_live_impulse(const struct thud_live *live, enum thud_live_which which, int interface);

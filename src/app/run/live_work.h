@@ -18,8 +18,8 @@ struct thud_live_work;
  * thud_live_work_wait computes. Errors: THUD_MEMORY. */
 enum thud_status thud_live_work_start(const struct thud_live_job *job, int n, int threads, struct thud_live_work **out,
                                       struct thud_error *err);
-/* A job that has ended since the last call, with its status; -1: none has within about `wait_s`. *left: how many have not
- * been taken back. */
+/* A job that has ended since the last call, with its status; -1: none has within about `wait_s`. *left: how many have
+ * not been taken back. */
 int thud_live_work_take(struct thud_live_work *work, double wait_s, int *left, enum thud_status *status,
                         struct thud_error *err);
 /* Time that the run of job `index` has come to, s; also while it goes on. */

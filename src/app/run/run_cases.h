@@ -1,4 +1,4 @@
-/* One scene in several cases beside no pounding at all: the runs, a table of their peaks, and what they say in words. */
+/* One scene in several cases beside no pounding: the runs, a table of their peaks, and what they say in words. */
 #pragma once
 
 #include "app/run/session.h"

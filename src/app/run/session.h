@@ -29,8 +29,8 @@ void thud_session_close(struct thud_session *session);
 
 /* KEY=VALUE. Errors: THUD_USAGE without a `=`, THUD_INPUT with key and what is allowed. */
 enum thud_status thud_session_assign(struct thud_session *session, const char *assignment, struct thud_error *err);
-/* The same for several that are taken together: in whatever order they stand, but for one key given twice, they mean the
- * same. */
+/* The same for several that are taken together: in whatever order they stand, but for one key given twice, they mean
+ * the same. */
 enum thud_status thud_session_assign_all(struct thud_session *session, const char *const *assignment, int n,
                                          struct thud_error *err);
 

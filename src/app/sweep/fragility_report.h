@@ -27,8 +27,8 @@ struct thud_fragility_study {
 };
 
 /* A hazard curve from CSV: two columns, intensity and annual rate of being exceeded; `#` before a comment. A first line
- * of words may name them; of an acceleration it must, with the unit: `sa_g`, `sa (cm/s2)`. Errors: THUD_INPUT with line.
- */
+ * of words may name them; of an acceleration it must, with the unit: `sa_g`, `sa (cm/s2)`. Errors: THUD_INPUT with
+ * line. */
 enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis *axis, struct thud_hazard *out,
                                   struct thud_error *err);
 
@@ -49,8 +49,8 @@ void thud_fragility_json(const struct thud_fragility_study *study, struct thud_t
  * The table is 80 columns wide and has at most five values of every varied key. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_written as, struct thud_text *out,
                                    struct thud_error *err);
-/* By response, what each case is over case none, and under how many ground motions it is lower: at up to three settings.
- * Nothing without case none. Errors: THUD_MEMORY. */
+/* By response, what each case is over case none, and under how many ground motions it is lower: at up to three
+ * settings. Nothing without case none. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
 /* The same as a figure. NULL: out of memory, or there is no case none to compare with. */
 struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite);

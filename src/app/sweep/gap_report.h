@@ -20,8 +20,8 @@ struct thud_gap_study {
     struct thud_gap_ruled *ruled; /* (THUD_GAP_RULES + 1 x interfaces), what is needed first; NULL: not asked for */
 };
 
-/* One run without contact for each ground motion (one without, where the scene has none). `code`: NULL for its defaults.
- * Where nothing can touch it has no levels. Errors: those of thud_needed_gap_run; THUD_CANCELLED. */
+/* One run without contact for each ground motion (one without, where the scene has none). `code`: NULL for its
+ * defaults. Where nothing can touch it has no levels. Errors: those of thud_needed_gap_run; THUD_CANCELLED. */
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const struct thud_gap_code *code, const atomic_int *cancel,
                                     struct thud_gap_study *out, struct thud_error *err);
@@ -37,7 +37,7 @@ void thud_gap_collapse(const struct thud_scene *scene, const struct thud_collaps
 /* 80 columns, after thud_gap_study_rules. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
                                  struct thud_text *out, struct thud_error *err);
-/* A row per ground motion and level (needed-gaps.csv); per interface and rule that has a value there (gap-rules.csv). */
+/* A row per ground motion and level (needed-gaps.csv); per interface and rule with a value there (gap-rules.csv). */
 struct thud_rows thud_gap_level_rows(const struct thud_gap_study *study);
 struct thud_rows thud_gap_rule_rows(const struct thud_gap_study *study);
 /* Errors: THUD_MEMORY. */

@@ -1,5 +1,5 @@
-/* Required gaps under every ground motion, what is enough of them at each period that a building may have, and the runs at
- * the codes' gaps. */
+/* Required gaps under every ground motion, what is enough of them at each period that a building may have, and the runs
+ * at the codes' gaps. */
 #include "app/sweep/gap_report.h"
 
 #include <math.h>

@@ -55,7 +55,7 @@ static void put(struct thud_solve *solve, const struct thud_tried_row *tried)
     solve->n++;
 }
 
-/* The value at which contact begins (along a gap: ends) under so many motions that the answer changes; NaN: not known. */
+/* The value at which contact begins (along a gap: ends) under enough motions to change the answer; NaN: not known. */
 static double contact_change(const struct thud_solve *solve, const struct thud_sweep_axis *axis,
                              const struct thud_fragility *counts)
 {
@@ -90,7 +90,7 @@ struct search {
     const atomic_int *cancel;
 };
 
-/* Runs the values that write_axis writes, and puts them among those tried. `contact` where not NULL: where it begins. */
+/* Runs the values that write_axis writes, and puts them among those tried. `contact`, unless NULL: where it begins. */
 static enum thud_status run_values(const struct search *search, double from, double to, int parts, bool inner,
                                    double *contact, struct thud_error *err)
 {

@@ -33,8 +33,8 @@ struct thud_solve {
 enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thud_record_list *records, const char *by,
                                 const struct thud_criterion *criterion, double share, const atomic_int *cancel,
                                 struct thud_solve *out, struct thud_error *err);
-/* The result: the value on the side of the only change where the criterion is met; NULL: it holds, or does not, all over, or there
- * are several changes. */
+/* The result: the value on the side of the only change where the criterion is met; NULL: it holds, or does not, all
+ * over, or there are several changes. */
 const struct thud_tried_row *thud_solve_answer(const struct thud_solve *solve);
 /* The answer in a sentence or two. */
 void thud_solve_words(const struct thud_solve *solve, struct thud_text *out);

@@ -8,7 +8,7 @@
 #include "io/file/file.h"
 #include "io/result/sweep_csv.h"
 
-/* Points are read one after the other; their rows are written by several threads, each those of some points in a row. */
+/* Points are read one after the other; their rows are written by several threads, each those of some points. */
 enum { SHARES_MAX = 64, POINTS = 32 };
 
 struct share {

@@ -33,8 +33,8 @@ enum thud_status thud_sweep_suite_run(const struct thud_sweep_plan *plan, int th
 struct thud_sweep_work;
 enum thud_status thud_sweep_work_start(const struct thud_sweep_jobs *jobs, struct thud_sweep_work **out,
                                        struct thud_error *err);
-/* The next point in the order, for the caller to free; where it is not finished it is waited for `wait_s` at most, and
- * *point is NULL. *done: all were taken. Errors: THUD_CANCELLED, those of groups, THUD_MEMORY: there will be no more. */
+/* The next point in the order, for the caller to free; NULL where it is not finished within `wait_s`. *done: all were
+ * taken. Errors: THUD_CANCELLED, those of groups, THUD_MEMORY: there will be no more. */
 enum thud_status thud_sweep_work_take(struct thud_sweep_work *work, double wait_s, struct thud_sweep_point **point,
                                       bool *done, struct thud_error *err);
 /* Stops what goes on and waits for it, which takes no longer than a slice of a run. NULL is allowed. */

@@ -30,7 +30,7 @@ struct thud_sweep_study {
     const atomic_int *cancel;
     void *context;
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */
-    /* With a folder: once its files are there and before the journal goes, so that the same command repeats what is stopped here; may be NULL. */
+    /* With a folder: its files are there, the journal not yet gone, so the same command resumes here. NULL: nothing. */
     enum thud_status (*conclude)(void *owner, struct thud_error *err);
     void *owner;
     /* Each point in its order, once the study is whole (without a folder: as soon as it is done); may be NULL. */
@@ -59,8 +59,8 @@ enum thud_status thud_sweep_study_merge(const struct thud_sweep_study *study, co
                                         struct thud_sweep_outcome *out, struct thud_error *err);
 void thud_sweep_outcome_clear(struct thud_sweep_outcome *outcome);
 
-/* The plan that a part's journal describes: scene, axes, cases, records by name and samples. Errors: THUD_INPUT (no journal,
- * one that is no part of a study), THUD_MEMORY. */
+/* The plan that a part's journal describes: scene, axes, cases, records by name and samples. Errors: THUD_INPUT (no
+ * journal, one that is no part of a study), THUD_MEMORY. */
 struct thud_sweep_parts {
     struct thud_sweep_plan plan;
     int nrecords;

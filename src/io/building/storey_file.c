@@ -386,7 +386,7 @@ static int grows(const struct reader *r, int role)
     return (last > first) - (last < first);
 }
 
-/* Whether the rows begin with the roof: as is said, or by shears, displacements or the base; else as ETABS writes them. */
+/* Whether the rows begin with the roof: as given, or by shears, displacements or base; else as ETABS writes them. */
 static bool is_from_roof(const struct reader *r)
 {
     const int by = grows(r, SHEAR) ? grows(r, SHEAR) : -grows(r, DISPLACEMENT);

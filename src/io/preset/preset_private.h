@@ -49,8 +49,8 @@ int thud_section_count(const struct thud_scene *scene, enum thud_group group);
 /* Whether a scene has a section that is nested in a structure or an interface. */
 bool thud_section_given(const struct thud_scene *scene, struct thud_section section);
 
-/* "structures.1.", "structures.1.column.", "interfaces.1.bumper.", "record."; empty for the scene's own. With a key: its
- * path. */
+/* "structures.1.", "structures.1.column.", "interfaces.1.bumper.", "record."; empty for the scene's own. With a key:
+ * its path. */
 void thud_section_path(struct thud_section section, const char *key, char *path, size_t size);
 /* The keys of a section that are given, in the order of presets, each with its path and its text. */
 struct thud_keys {
@@ -77,8 +77,8 @@ bool thud_value_is_list(const struct thud_scene *scene, const char *path, const 
 void thud_emit_value(struct thud_text *out, const struct thud_scene *scene, const char *path, const char *text,
                      bool flow);
 
-/* All keys of a section that are given (record, analysis, study and columns: that are not as they are anyway). Lines: each with
- * its indent; the first one without it where `inline_first`. */
+/* All keys of a section that are given (record, analysis, study and columns: that are not as they are anyway). Lines:
+ * each with its indent; the first one without it where `inline_first`. */
 void thud_emit_section(struct thud_emit *emit, const struct thud_scene *scene, struct thud_section section, int indent,
                        bool inline_first);
 /* A structure with its columns, or an interface with its contact and bumper. */

@@ -7,7 +7,7 @@
  *     Steel01 V_y k r                   bilinear, kinematic hardening            storeys that yield, V_y = k d_y
  *     Elastic -W/h                      beside the storey's spring               P-Delta, as a leaning column's
  *     HyperbolicGapMaterial K_max K_max R_f -F_ult -gap                          backfill
- *     Elastic K; Elastic 0 C            between i and j, K = -K_ij, C = -C_ij    buildings by their matrix; damping above
+ *     Elastic K; Elastic 0 C            between i and j, K = -K_ij, C = -C_ij    buildings by a matrix; damping above
  *                                                                                isolators; buildings on soil
  * A struck place of columns and the place under a storey on soil are no floors. Each is a node without mass that stiff
  * springs hold to u = sum w_i u_i. They are the springs of the matrix K w w^T with w = (1, -w_i).
@@ -151,7 +151,7 @@ static void head(struct thud_text *out, const struct thud_scene *scene, const st
 /* Nodes: a floor's is its number from 1 over all structures, a structure's ground is 1001, 1002, ... A weight's element
  * has the number of the floor above it and 100000. */
 enum { GROUND = 1000, WEIGHT = 100000 };
-/* The springs of matrices are numbered from here on, and the nodes that are no floors: two for each row of the model. */
+/* The springs of matrices are numbered from here on, and the nodes that are no floors: two a row of the model. */
 enum { SPRINGS = 200001, PLACES = 300001 };
 /* Of a matrix's element over its diagonal; and of the springs that hold a place, over that of what acts on it. */
 static const double rounding = 1e-12, stiff = 1e5;
@@ -376,7 +376,7 @@ static double modal_damping(const struct thud_structure *of)
                                                                    : of->damping;
 }
 
-/* Modes of all structures, each on its own, lowest first, as OpenSees finds them before there are contacts and links. */
+/* Modes of all structures, each on its own, lowest first, as OpenSees finds them before contacts and links. */
 static void damping(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
 {
     double above = -1;

@@ -6,7 +6,7 @@
 #include "app/run/timing.h"
 
 enum { SLICE = 2000 };
-/* A point is timed again while one run of it takes no longer than the first, and all of them no longer than the second. */
+/* A point is timed again while one run of it takes no longer than the first, and all of them than the second. */
 static const double again_below_s = 1, spend_s = 2;
 
 struct bench_work {

@@ -19,7 +19,7 @@ struct columns {
     int n;
 };
 
-/* Column of a variable, added where it is new; -1: there is no room for it. `plain`: what it is called without a label. */
+/* Column of a variable, added where it is new; -1: there is no room. `plain`: what it is called without a label. */
 static int column_of(struct columns *columns, const struct thud_axis *axis, const char *plain, const char *behind)
 {
     char text[256], label[224];

@@ -7,7 +7,7 @@
 
 enum { PANELS_MAX = 4, RING = THUD_COLORS - 1 };
 
-/* Elevation of the struck place: of the contact with the largest force on these columns. *impacts: whether there are any. */
+/* Elevation of the struck place: of the contact with the largest force on these columns. *impacts: are there any. */
 static double struck_at(const struct thud_result *result, int column, double low, double high, bool *impacts)
 {
     const struct thud_contact_result *most = NULL;

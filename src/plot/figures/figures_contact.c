@@ -115,8 +115,8 @@ static void until_last_impact(struct thud_figure *figure, const struct thud_figu
 
 enum { IMPACTS_MANY = 100 };
 
-/* A strip for each contact and case, the highest first; where impacts are hundreds, each is a point on a log axis. Where
- * no contact has a force, every impulse is a point. */
+/* A strip for each contact and case, the highest first; where impacts are hundreds, each is a point on a log axis.
+ * Where no contact has a force, every impulse is a point. */
 struct thud_figure *thud_figure_forces(enum thud_run_figure which, const struct thud_figure_source *source,
                                        int nsources)
 {

@@ -1,5 +1,5 @@
-/* Left the elevation: slabs, columns, bumpers and the places that slabs strike, heights to scale, gaps wider by a factor
- * that the note names. Right the model: masses, springs of storeys and isolators, contacts. Widths mean nothing. */
+/* Left the elevation: slabs, columns, bumpers and the places that slabs strike, heights to scale, gaps wider by the
+ * factor in the note. Right the model: masses, springs of storeys and isolators, contacts. Widths mean nothing. */
 #include "plot/figures/figures_scene.h"
 
 #include <math.h>

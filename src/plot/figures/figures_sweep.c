@@ -71,8 +71,8 @@ static int slices(const struct thud_sweep_table *table, int i, int at[THUD_VARY_
 
 enum { MAPS_MOST = 24 };
 
-/* What a study's figures are: `each` of every case and record, means of every case (before those where there are several
- * records), then `last` of every record. */
+/* What a study's figures are: `each` of every case and record, means of every case (before those where there are
+ * several records), then `last` of every record. */
 enum last { CONTACT_FORCES, POUNDING, YIELDING, STRUCK_COLUMNS, LAST };
 struct list {
     int ncases, slices, each, means, last;

@@ -150,8 +150,8 @@ void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const stru
     axis_of_key(panel, side, axis, NULL);
 }
 
-/* For a varied gap: the smallest one at which no ground motion of the study causes contact without the bumper, m; NaN: not
- * known, or not among those shown. */
+/* For a varied gap: the smallest one at which no ground motion of the study causes contact without the bumper, m; NaN:
+ * not known, or not among those shown. */
 static double free_gap(const struct thud_sweep_table *table, int varied)
 {
     const struct thud_sweep_axis *axis = &table->axis[varied];

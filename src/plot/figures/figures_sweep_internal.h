@@ -6,8 +6,8 @@
 
 enum { THUD_SWEEP_CURVES_MAX = THUD_COLORS, THUD_SWEEP_COLUMNS_MAX = 4 };
 
-/* The quantities of a run: ratios; of its contacts, the shares over a suite only; of the columns that slabs strike; of the
- * storeys of a structure. */
+/* The quantities of a run: ratios; of its contacts, the shares over a suite only; of the columns that slabs strike; of
+ * the storeys of a structure. */
 enum thud_told {
     THUD_TOLD_ACCELERATION,
     THUD_TOLD_DRIFT,
@@ -38,7 +38,7 @@ double thud_sweep_value(const struct thud_sweep_table *table, size_t i, const st
                         enum thud_sweep_end end);
 /* Whether some run has a number: a storey yields, columns are struck at all, or their capacity is given. */
 bool thud_sweep_is_told(const struct thud_sweep_table *table, enum thud_told told, int structure);
-/* Against the first key the values, with bars where they are shares; and, to be added before all curves, their spread. */
+/* Against the first key the values, with bars where they are shares; and their spread, added before all curves. */
 void thud_sweep_curve(struct thud_panel *panel, const struct thud_sweep_table *table, const struct thud_wanted *wanted,
                       const char *name, int color);
 void thud_sweep_shade(struct thud_panel *panel, const struct thud_sweep_table *table, const struct thud_wanted *wanted,

@@ -3,8 +3,8 @@
 
 #include "plot/gnuplot/gnuplot.h"
 
-/* Size of the title and of the smallest letters (7 points where type has 8), room of a sample of a line and what follows
- * a name in the key, ems. */
+/* Size of the title and of the smallest letters (7 points where type has 8), room of a sample of a line and what
+ * follows a name in the key, ems. */
 #define THUD_TITLE_EM  1.15
 #define THUD_SMALL_EM  0.875
 #define THUD_SAMPLE_EM 2.6

@@ -235,8 +235,8 @@ static void strip_ticks(struct thud_text *out, const struct thud_range *range, d
     thud_text_append(out, "%s 0, '%g' %.10g)\n", step * ems_of_one < line ? "''" : "", step, step);
 }
 
-/* Room above the curves for the titles of strips, as a share of the height: the same in all that show the same range, so
- * that they stay comparable. */
+/* Room above the curves for the titles of strips, as a share of the height: the same in all that show the same range,
+ * so that they stay comparable. */
 static double strip_headroom(const struct sheet *sheet, const struct box *box, const struct thud_range *range)
 {
     for (int i = 0; i < sheet->figure->rows * sheet->figure->columns; i++) {

@@ -33,8 +33,8 @@ static void lay_key(struct sheet *sheet)
     sheet->key_rows = sheet->nkeys > 0 ? row + 1 : 0;
 }
 
-/* On paper panels below each other share three quarters of what a page of A4 has between its margins: a caption and text
- * stand beside them. */
+/* On paper panels below each other share three quarters of what a page of A4 has between its margins: a caption and
+ * text stand beside them. */
 static const double page_mm = 180.0, lowest_em = 9.0;
 /* A panel narrower than this many ems stands below its neighbour. */
 static const double narrowest_em = 21.0;
@@ -52,8 +52,8 @@ static double names_width(const struct thud_panel *panel, double em)
     return widest;
 }
 
-/* Where half as many panels, or one, are to stand side by side: they are narrower than so many ems, or would cut a title
- * or the names of ticks. */
+/* Where half as many panels, or one, are to stand side by side: they are narrower than so many ems, or would cut a
+ * title or the names of ticks. */
 static bool too_narrow(const struct sheet *sheet, double least)
 {
     const double width = sheet->width / sheet->columns, em = sheet->em, room = thud_sheet_names_room(sheet);

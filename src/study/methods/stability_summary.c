@@ -1,5 +1,5 @@
-/* Each method in one row: its order where contacts open and close, the steps that the scene needs, what it does to energy
- * and to restitution. */
+/* Each method in one row: its order where contacts open and close, the steps that the scene needs, what it does to
+ * energy and to restitution. */
 #include <math.h>
 #include <string.h>
 
@@ -33,7 +33,7 @@ static enum thud_status impact_error(struct thud_stepping how, double *mean_s, s
     return thud_trial_failed(status) ? status : THUD_OK;
 }
 
-/* The largest step, or tolerance, of a row at which the scene's peaks and impacts are kept to a level, as they are at the next smaller one; NaN: none of the row. */
+/* The largest step or tolerance of a row that keeps the scene's peaks and impacts, as the next smaller; NaN: none. */
 static enum thud_status find_kept(const struct thud_stability *s, struct thud_stability_summary *m,
                                   struct thud_error *err)
 {

@@ -28,8 +28,8 @@ struct thud_estimate thud_structure_estimate(const struct thud_structure *s)
                                   .asce7_s = systems[system].asce7_ct * pow(height, systems[system].asce7_x)};
 }
 
-/* omega^2 goes with the stiffnesses: all of them times (2 pi/T)^2/omega^2. Equal ones where they are not given. Those that
- * have this period already keep their bits, so that filling in twice is no change of the scene. */
+/* omega^2 goes with the stiffnesses: all of them times (2 pi/T)^2/omega^2. Equal ones where they are not given. Those
+ * that have this period already keep their bits, so that filling in twice is no change of the scene. */
 static void fill_period(struct thud_structure *s, double period_s)
 {
     const int n = s->storeys;

@@ -15,10 +15,10 @@
 #include "study/scene/level.h"
 #include "study/scene/scene_elements.h"
 
-/* Of factors: a part of them to which they are found, the range that is searched, and the share below which no contact is expected. */
+/* Of factors: their relative tolerance, the range searched, and the share below which no contact is expected. */
 static const double close = 1e-6, least = 1e-3, most = 1e3, far = 0.2;
-/* Steps of ln f: parts of |ln U|, between these. A turn of ln U is looked into while it is no further from 0 than so many
- * times what its neighbours fall behind it. */
+/* Steps of ln f: parts of |ln U|, between these. A turn of ln U is looked into while it is no further from 0 than so
+ * many times what its neighbours fall behind it. */
 static const double part = 0.25, short_step = 0.03, long_step = 0.3, promising = 4;
 
 struct search {

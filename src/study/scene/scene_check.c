@@ -8,8 +8,8 @@
 #include "study/scene/scene_slot.h"
 
 static const double rounding_m = 1e-12;
-/* The bound of `yield`: each time a storey yields the other way its drift has moved by twice this, so that a run's events
- * stay countable. */
+/* The bound of `yield`: each time a storey yields the other way its drift has moved by twice this, so that a run's
+ * events stay countable. */
 static const double least_yield_m = 1e-6;
 
 static enum thud_status check_names(const struct thud_scene *scene, int s, struct thud_error *err)

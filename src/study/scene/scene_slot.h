@@ -67,7 +67,7 @@ enum thud_status thud_value_check(const struct thud_param *param, double value, 
 
 /* Of the i-th parameter of a group; NULL behind the last. */
 const struct thud_place *thud_group_place(enum thud_group group, int i);
-/* The value of a parameter that is not given: its default, NaN where there is none; of a list that of the lowest floor. */
+/* The value of a parameter that is not given: its default, NaN without one; of a list that of the lowest floor. */
 void thud_place_clear(const struct thud_param *param, const struct thud_place *place, void *at);
 /* The same for all values of a group in `of`: a part of the scene, a structure of one of these kinds (bit set). */
 void thud_group_clear(void *of, enum thud_group group, unsigned kinds);
@@ -113,7 +113,7 @@ enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
 enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind);
 enum thud_status thud_law_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
                               struct thud_error *err);
-/* Of a value that is not the study's; an empty text takes it back where it need not be given. Errors: also THUD_MEMORY. */
+/* Of a value that is not the study's; an empty text takes back one that may be missing. Errors: also THUD_MEMORY. */
 enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
                                 struct thud_error *err);
 void thud_value_get(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text,

@@ -1,7 +1,7 @@
-/* The search: the full run on every ground motion; every simplification by itself on the governing one; then, by what it
- * saves for what it changes, one after the other on top of those that were taken, where the whole keeps the accuracy. A
- * row that was taken for the same thing is replaced by one that saves more. At last the cheapest, and each of its steps
- * by itself, on the other ground motions. */
+/* The search: the full run on every ground motion; every simplification by itself on the governing one; then, by what
+ * it saves for what it changes, one after the other on top of those that were taken, where the whole keeps the
+ * accuracy. A row that was taken for the same thing is replaced by one that saves more. At last the cheapest, and each
+ * of its steps by itself, on the other ground motions. */
 #include "study/simplify/simplify.h"
 
 #include <math.h>

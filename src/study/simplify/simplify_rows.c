@@ -31,7 +31,7 @@ static bool make_equal(const struct thud_simplify_from *from, struct thud_scene 
     return true;
 }
 
-/* Linear isolators of the same secant stiffness and the same energy lost in a cycle at the displacement D of the full run:
+/* Linear isolators of the same secant stiffness and energy lost in a cycle at the displacement D of the full run:
  *     k_e = k (r D + (1 - r) u_y)/D,   zeta_e = 2 (1 - r) k u_y (D - u_y)/(pi k_e D^2). */
 static bool make_linear_isolators(const struct thud_simplify_from *from, struct thud_scene *scene)
 {

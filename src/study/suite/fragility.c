@@ -90,7 +90,7 @@ static bool newton(const struct likelihood *l, double step[2])
     return true;
 }
 
-/* The counts go from none to all (or back) at one place or over one stripe: the likelihood grows without bound as beta goes to 0, so no curve is the most likely one. */
+/* The counts go from none to all (or back) over one stripe at most: as beta goes to 0 the likelihood has no bound. */
 static bool is_step(const struct thud_stripe *stripe, size_t n, struct thud_lognormal *out)
 {
     double none_least = INFINITY, none_most = 0, all_least = INFINITY, all_most = 0, part = NAN;
@@ -552,8 +552,8 @@ static void conclude(struct thud_fragility *f, enum thud_measure measure, const 
     }
 }
 
-/* The first value above 0 along the axis at which the run of a case has a result, its setting and what it uses up of the
- * clearances; -1: none has. */
+/* The first value above 0 along the axis at which the run of a case has a result, its setting and what it uses up of
+ * the clearances; -1: none has. */
 static int first_result(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int k, int record,
                         long *setting, double *used)
 {

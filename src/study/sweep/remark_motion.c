@@ -44,7 +44,7 @@ static int of_files(const struct thud_remark_scope *scope)
     return n;
 }
 
-/* How many motions do not say their event and station, and may be a component of a station that another one is of, too. */
+/* How many motions do not say their event and station, and may be the other component of another one's station. */
 static int of_unknown_station(const struct thud_remark_scope *scope)
 {
     int n = 0;

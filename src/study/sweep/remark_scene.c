@@ -170,7 +170,7 @@ void thud_remark_cavity(const struct thud_remark_scope *scope, int i, struct thu
                      100 * at->bumper_thickness_m * (1 - strain));
 }
 
-/* Force of a law between bodies of an effective mass that approach, at a depth and speed that are usual for pounding. */
+/* Force of a law between bodies of an effective mass that approach, at a depth and speed usual for pounding. */
 static double approach_force(const struct thud_law_choice *choice, double thickness_m, double mass_kg, double depth_m)
 {
     struct thud_law_setup setup = {.mass_kg = mass_kg, .thickness_m = thickness_m};

@@ -1,4 +1,4 @@
-/* The statistics of a study over its ground motions as a table of one: what shows a ground motion then shows the suite. */
+/* The statistics of a study over its ground motions as a table of one: what shows a motion then shows the suite. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -148,9 +148,9 @@ static bool never_closes(const struct thud_sweep_task *task, int c)
     return (p->law->flags & THUD_LAW_NO_FORCE) || thud_baseline_relative_displacement(baseline, c) <= p->clearance_m;
 }
 
-/* Walls and laws without force part the row of structures into groups that know nothing of each other; where no contact of a
- * group closes without pounding, none of it ever does. Returns how many contacts of law are left out; *left: how many
- * remain. */
+/* Walls and laws without force part the row of structures into groups that know nothing of each other; where no contact
+ * of a group closes without pounding, none of it ever does. Returns how many contacts of law are left out; *left: how
+ * many remain. */
 static int leave_out(struct thud_sweep_task *task, bool drop, int *left)
 {
     struct thud_model *m = task->model;

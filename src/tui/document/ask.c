@@ -1,4 +1,4 @@
-/* What is said, what is asked over the screen, and where the cursor is: asked for by screens, carried out by the loop. */
+/* What is said, what is asked over the screen, and where the cursor is: wanted by screens, done by the loop. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

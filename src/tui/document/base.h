@@ -17,7 +17,7 @@ struct thud_base {
     bool begun;           /* `live` was run, or is */
 };
 
-/* A design with its ground motion, which is copied; NULL: none. Without memory for it there is nothing to compare with. */
+/* A design with its ground motion, which is copied; NULL: none. Without memory for it nothing is compared. */
 void thud_base_take(struct thud_base *base, const struct thud_design *design, const struct thud_record *record,
                     bool chosen);
 /* Whether the scene differs from it in what a run depends on. */

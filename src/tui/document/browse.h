@@ -22,8 +22,8 @@ struct thud_browse {
     struct thud_browse_item *item; /* (n) files, then folders, by name */
 };
 
-/* Lists the files again. `folder`: one with a slash at its end; empty: the working folder, the preset's and the shipped ones
- * together. What cannot be read is left out. */
+/* Lists the files again. `folder`: one with a slash at its end; empty: the working folder, the preset's and the shipped
+ * ones together. What cannot be read is left out. */
 void thud_browse_list(struct thud_browse *browse, enum thud_browse_kind kind, const struct thud_paths *paths,
                       const char *preset_path, const char *folder);
 /* Reads the file at the first call. */

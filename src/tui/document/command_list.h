@@ -1,6 +1,6 @@
-/* The commands of the `:` line: word, short word, what follows, and what it does: a function, one of several
- * words, a key of the scene whose value follows, the action of a key, a command of a screen, or one of the command line,
- * run on this preset. */
+/* The commands of the `:` line: word, short word, what follows, and what it does: a function, one of several words, a
+ * key of the scene whose value follows, the action of a key, a command of a screen, or one of the command line, run on
+ * this preset. */
 THUD_RUN("set", "", "KEY VALUE", run_set)
 THUD_RUN("case", "", "none|bumper|cavity|link", run_case)
 THUD_SET("title", "TEXT", "title")

@@ -38,7 +38,7 @@ void thud_design_differences(const struct thud_scene *scene, const struct thud_s
 
 /* By its name, or by its number as "#3"; NULL: there is none. */
 struct thud_design *thud_designs_named(struct thud_designs *designs, const char *name);
-/* Keeps a scene, with its result where there is one (else NULL). NULL: there is no memory, or all have names or marks. */
+/* Keeps a scene, with its result (NULL: none yet). Returns NULL without memory, or where all have names or marks. */
 struct thud_design *thud_designs_note(struct thud_designs *designs, const struct thud_scene *scene, const char *what,
                                       const struct thud_design_result *result);
 void thud_designs_forget(struct thud_designs *designs, struct thud_design *design);

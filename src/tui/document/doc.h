@@ -45,8 +45,8 @@ bool thud_doc_disk_gone(const struct thud_doc *doc);
 /* Writes to `path` (NULL: where it came from), comments kept, and reads the result as the new base. Errors:
  * THUD_OUTPUT, THUD_INPUT. */
 enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct thud_error *err);
-/* Where unsaved changes are kept: `NAME.recovered` beside the preset, of one that comes with thud in the working folder.
- */
+/* Where unsaved changes are kept: `NAME.recovered` beside the preset, of one that comes with thud in the working
+ * folder. */
 void thud_doc_recovery_path(const struct thud_doc *doc, char *path, size_t size);
 /* Keeps them there, or in TMPDIR where that cannot be written or is another session's; `kept` says where. Errors:
  * THUD_OUTPUT, THUD_MEMORY. */

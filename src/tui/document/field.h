@@ -9,8 +9,8 @@ void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *p
 /* A label and the value of a key behind it in one row. */
 void thud_field_row(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, const char *label,
                     const char *key);
-/* Likewise keys of the interface shown, a row each from `y` on; what its laws have not is left out. Returns the row after
- * them. */
+/* Likewise keys of the interface shown, a row each from `y` on; what its laws have not is left out. Returns the row
+ * after them. */
 struct thud_labelled {
     const char *label, *key;
 };

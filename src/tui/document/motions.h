@@ -4,7 +4,7 @@
 #include "app/run/record_list.h"
 #include "tui/document/doc.h"
 
-/* What is open, as the verbs of app take it; its preset stays the document's. To be freed with free(); NULL: no memory. */
+/* What is open, as the verbs of app take it; its preset stays the document's. Free with free(); NULL: no memory. */
 struct thud_session *thud_doc_session(const struct thud_doc *doc);
 /* `list` as --records takes it; empty: the scene's own. `both`: each in both polarities. Errors: as
  * thud_record_list_read; there are none then. */

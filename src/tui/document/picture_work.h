@@ -15,8 +15,8 @@ struct thud_picture_screen {
     int width_px, height_px; /* 0: none is wanted */
 };
 
-/* Begins to write figures (count of them, at most THUD_PICTURES_MAX) into a folder in this format and takes them over, also on
- * failure. `program`: gnuplot; NULL: from PATH. Errors: THUD_MEMORY. */
+/* Begins to write figures (count of them, at most THUD_PICTURES_MAX) into a folder in this format and takes them over,
+ * also on failure. `program`: gnuplot; NULL: from PATH. Errors: THUD_MEMORY. */
 enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,
                                          enum thud_picture_format format, const char *program,
                                          const struct thud_picture_screen *screen, struct thud_picture_work **out,

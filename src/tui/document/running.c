@@ -71,8 +71,8 @@ void thud_tui_forget_run(struct thud_tui *tui)
     tui->run.revision = 0;
 }
 
-/* What the scene is compared with after a change: the state that was run before it, where no design was chosen and it is
- * not one more step of the same value. */
+/* What the scene is compared with after a change: the state that was run before it, where no design was chosen and it
+ * is not one more step of the same value. */
 static void remember_before(struct thud_tui *tui)
 {
     const bool step = tui->run.stepping && tui->run.stepped_to == tui->doc.revision;

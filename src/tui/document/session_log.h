@@ -1,4 +1,4 @@
-/* What was done, as commands of the `:` line: shown among the messages, saved, and played again by `thud --play FILE`. */
+/* What was done, as commands of the `:` line: shown among the messages, saved, and played by `thud --play FILE`. */
 #pragma once
 
 #include "tui/document/state.h"

@@ -314,8 +314,8 @@ char *thud_tui_number(double value, char text[24]);
 
 /* running.c */
 void thud_tui_opened(struct thud_tui *tui); /* another preset stands in the document */
-/* Runs again where the scene or what is shown of it changed, and edits run at once. What reads the ground motion after a
- * change calls it first. */
+/* Runs again where the scene or what is shown of it changed, and edits run at once. What reads the ground motion after
+ * a change calls it first. */
 void thud_tui_follow(struct thud_tui *tui);
 void thud_tui_run(struct thud_tui *tui);
 void thud_tui_forget_made(struct thud_tui *tui); /* the figures of commands */
@@ -340,8 +340,8 @@ void thud_tui_shown_unit(const struct thud_tui *tui, const char *key, char *unit
 
 /* writing.c */
 const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and tables go */
-/* A name for files of the scene as it is, without a suffix: preset, what it is, the case where it is of one, the gap. No
- * file that thud did not write has it. */
+/* A name for files of the scene as it is, without a suffix: preset, what it is, the case where it is of one, the gap.
+ * No file that thud did not write has it. */
 void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size);
 struct thud_shelved {
     struct thud_figure *figure;

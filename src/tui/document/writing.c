@@ -35,8 +35,8 @@ static const char *const suffixes[] = {".png",       ".gp",           ".csv", "-
                                        "-suite.csv", "-fragility.csv"};
 enum { SUFFIXES = sizeof suffixes / sizeof *suffixes };
 
-/* Whether something else changed a file since an earlier session wrote it: it is much younger than the script beside it.
- */
+/* Whether something else changed a file since an earlier session wrote it: it is much younger than the script beside
+ * it. */
 static bool is_younger(const char *stem)
 {
     const time_t drawn_s = 60; /* gnuplot takes less */
@@ -127,7 +127,7 @@ static bool is_taken(const char *stem)
     return false;
 }
 
-/* "towers-impact-force-gap-80mm", with the case where it is of one; a number behind it where another has those files. */
+/* "towers-impact-force-gap-80mm", with the case where it is of one; numbered where another has those files. */
 static void file_name(struct thud_tui *tui, bool many, const char *what, const char *of_case, char *name, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;

@@ -157,7 +157,7 @@ static void mark(struct thud_tui *tui, struct thud_design *d)
 
 /* ---- over the study's ground motions ---- */
 
-/* The largest over the motions, without (case 0) and with (the last case) bumper and links. The required gap is given for one interface only. */
+/* The largest over the motions, without (case 0) and with (last case) bumper and links; the gap of one interface. */
 static void largest(const struct thud_suite *suite, const struct thud_scene *scene, struct thud_design_result *out)
 {
     const int with = suite->plan->ncases - 1;
@@ -308,7 +308,7 @@ static double value_of(const struct list *list, const struct thud_design *d, enu
                               : r->acceleration_mps2[which - ACCELERATION];
 }
 
-/* What the others are coloured against, and told by their differences from: the chosen one, else the first there was. */
+/* What the others are compared with, in colours and differences: the chosen one, else the first there was. */
 static const struct thud_design *reference(struct thud_tui *tui)
 {
     const struct thud_design *d = tui->base.chosen ? thud_designs_named(&tui->designs, tui->base.name) : NULL;

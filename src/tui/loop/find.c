@@ -39,7 +39,7 @@ static void add_field(struct thud_tui *tui, const char *key, const struct thud_p
                          also_called(param->name));
 }
 
-/* Adds the parameters of a group under a prefix, those by floor of a structure (NULL: it is of none) for every floor. */
+/* Adds the parameters of a group under a prefix, those by floor of a structure (NULL: of none) for every floor. */
 THUD_PRINTF(4, 5)
 static void add_group(struct thud_tui *tui, enum thud_group group, const struct thud_structure *at, const char *fmt,
                       ...)

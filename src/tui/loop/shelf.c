@@ -34,8 +34,8 @@ static int collect_run(const struct thud_tui *tui, struct thud_shelved *item, in
     return count;
 }
 
-/* Makes the figures of one screen (-1: of all, with the one shown where there is but that), those of the run standing for
- * screens that have none of their own. */
+/* Makes the figures of one screen (-1: of all, with the one shown where there is but that), those of the run standing
+ * for screens that have none of their own. */
 static int collect(struct thud_tui *tui, int screen, struct thud_shelved *item)
 {
     int n = screen < 0 || !tui->view[screen]->figures ? collect_run(tui, item, THUD_PICTURES_MAX) : 0;

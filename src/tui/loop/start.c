@@ -1,4 +1,4 @@
-/* From the start to the end of the terminal interface: the terminal is opened and restored, or a session played without. */
+/* From the start to the end of the terminal interface: the terminal is opened and restored, or a session is played. */
 #include <signal.h>
 #include <stdio.h>
 #include <unistd.h>

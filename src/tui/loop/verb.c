@@ -1,5 +1,5 @@
-/* Commands of the command line, run on the preset that is open: typed behind `:`, or put together in a form of their own
- * options. What they are and what they take comes from the command line's tables. */
+/* Commands of the command line, run on the preset that is open: typed behind `:`, or put together in a form of their
+ * own options. What they are and what they take comes from the command line's tables. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -233,7 +233,7 @@ static void designs_of_report(struct thud_tui *tui, struct thud_line *line)
     thud_line_set(line, text);
 }
 
-/* Where it writes comes first, then the title block, then what is the command's own; what the scene says too is last. */
+/* Where it writes comes first, then the title block, then the command's own options; what the scene says is last. */
 static int rank_of(const struct thud_option *option)
 {
     const struct thud_param *block;

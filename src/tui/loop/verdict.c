@@ -38,8 +38,8 @@ static void change_words(double before, double now, int decimals, const char *un
         snprintf(text, 64, "%s -> %s %s", a, b, unit);
 }
 
-/* The scene as it is written against the state before the change, or the chosen design, whose name stands before it: what
- * has no room is left off, last of all the gap that is needed. False: there is nothing to compare. */
+/* The scene as it is written against the state before the change, or the chosen design, whose name stands before it:
+ * what has no room is left off, last of all the gap that is needed. False: there is nothing to compare. */
 static bool words_of_change(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     enum { WIDE = 60, NARROW = 45 };

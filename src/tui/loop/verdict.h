@@ -1,4 +1,4 @@
-/* The result in one line: whether the two neighbours shown pound, how hard, which gap they need, what the bumper does. */
+/* The result in one line: whether the neighbours shown pound, how hard, which gap they need, what the bumper does. */
 #pragma once
 
 #include "tui/document/state.h"

@@ -21,8 +21,8 @@ struct thud_sight {
 bool thud_plot_is_of_contact(enum thud_plot plot);
 bool thud_plot_is_of_floor(enum thud_plot plot);
 
-/* NULL when there is nothing to show (`why` says it), or no memory. `behind`: the state whose curves stand behind, dashed;
- * NULL: none. */
+/* NULL when there is nothing to show (`why` says it), or no memory. `behind`: the state whose curves stand behind,
+ * dashed; NULL: none. */
 struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_base *behind,
                                    const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
                                    const char **why);

@@ -6,7 +6,7 @@
 #include "tui/document/field.h"
 #include "tui/screens/movement.h"
 
-/* The case as it is written; the run that is shown of it, with its model: while it goes on that of before. NULL: none. */
+/* The case as it is written; the run that is shown of it, with its model: while it goes on the last one. NULL: none. */
 static const struct thud_run *shown_run(const struct thud_tui *tui, enum thud_live_which *which,
                                         const struct thud_model **model)
 {

@@ -287,8 +287,8 @@ static void draw_storey(struct stage *stage, int s, int storey, struct storey at
     }
 }
 
-/* What a building slides or yields on, at both ends of its slab: a dish on the ground and the slider on it, or a bearing
- * that is sheared between ground and slab; red while it moves beyond its elastic displacement. */
+/* What a building slides or yields on, at both ends of its slab: a dish on the ground and the slider on it, or a
+ * bearing that is sheared between ground and slab; red while it moves beyond its elastic displacement. */
 static void draw_isolators(struct stage *stage, int s, double ground, double slab)
 {
     const struct thud_structure *structure = &stage->scene->structure[s];
@@ -314,7 +314,7 @@ static void draw_isolators(struct stage *stage, int s, double ground, double sla
     }
 }
 
-/* The foundation on soil, swayed and turned as its building is: at a right angle to it where both are drawn to scale. */
+/* The foundation on soil, swayed and turned with its building: at a right angle to it where both are to scale. */
 static void draw_foundation(struct stage *stage, const struct thud_model_structure *part, double x0, double ground)
 {
     const int sway = part->first + part->n;

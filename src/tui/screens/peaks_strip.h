@@ -10,6 +10,6 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane);
 /* What the bumper makes of the number without; nothing while one of the two is still that of before the last change. */
 void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane, int x, int y,
                      const double value[THUD_LIVE_CASES]);
-/* The number of a case, right before column `right`, or what stands in its place; `moved`: those words in place of it. */
+/* The number of a case, right before column `right`, or what stands in its place; `moved`: words in place of it. */
 void thud_case_draw(const struct thud_live *live, enum thud_live_which which, const struct thud_pane *pane, int right,
                     int y, const char *moved, const char *number);

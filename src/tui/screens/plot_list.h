@@ -1,5 +1,5 @@
-/* The figures of the Plots screen: THUD_PLOT(enumerator, title, name of its files, figure of a run that it is). Those of
- * a contact or floor show one, with the cases over each other. */
+/* The figures of the Plots screen: THUD_PLOT(enumerator, title, name of its files, figure of a run that it is). Those
+ * of a contact or floor show one, with the cases over each other. */
 THUD_PLOT(FORCE, "Impact force", "impact-force", FORCE)
 THUD_PLOT(APPROACH, "Approach velocity", "approach-velocity", VELOCITY)
 THUD_PLOT(ACCELERATION, "Floor acceleration", "acceleration", ACCELERATION)

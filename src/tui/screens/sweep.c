@@ -28,8 +28,8 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     return 3;
 }
 
-/* The figure on show. One that an edit started again appears whole, if that does not take long: until then the one before
- * stays. */
+/* The figure on show. One that an edit started again appears whole, if that does not take long: until then the one
+ * before stays. */
 static void refresh(struct thud_tui *tui)
 {
     static const double patience_s = 0.4;

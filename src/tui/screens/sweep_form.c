@@ -111,8 +111,8 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
     return y;
 }
 
-/* The keys varied, and the other keys of the preset's study; one empty line for one more key is enough, and what is asked
- * of several motions has no place with one. */
+/* The keys varied, and the other keys of the preset's study; one empty line for one more key is enough, and what is
+ * asked of several motions has no place with one. */
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane)
 {
     static const struct thud_labelled field[] = {{"cases", "study.cases"},

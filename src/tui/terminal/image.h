@@ -19,8 +19,8 @@ enum thud_image_choice {
 };
 const char *thud_image_choice_name(enum thud_image_choice choice); /* "auto" */
 
-/* What is known without asking the terminal, from its variables (NULL where not set): inside tmux and screen pictures do
- * not go through. *ask: nothing is, its answer to thud_image_question tells. */
+/* What is known without asking the terminal, from its variables (NULL where not set): inside tmux and screen pictures
+ * do not go through. *ask: nothing is, its answer to thud_image_question tells. */
 struct thud_image_variables {
     const char *term, *kitty_window, *tmux, *sty;
 };

@@ -1,7 +1,7 @@
 /* Nobody asks the terminal for its background, so by default a colour has to be read on black and on white. Contrast is
  * that of WCAG 2.1, (L1 + 0.05)/(L2 + 0.05) with the relative luminance L. Of the 256 colours those from 16 on are the
  * same in every terminal; the ones chosen here have a contrast of at least 3.3 with both, those of a theme for one
- * background at least 4.5 with that. The first sixteen are each terminal's own: red, magenta and bright blue can be read
+ * background at least 4.5 with that. The first sixteen are the terminal's own: red, magenta and bright blue can be read
  * on both in all that were looked at; yellow, green and cyan cannot be on white, bright black not everywhere on black,
  * so what would have these is in the terminal's own text colour, but for the theme of black.
  *

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-/* Reports of the mouse (xterm: presses, the wheel, moves with a button down; decimal), pasted text between marks; and neither. */
+/* Reports of the mouse (xterm: presses, wheel, moves with a button down; decimal), pasted text in marks; neither. */
 #define THUD_MOUSE_ON  "\033[?1002h\033[?1006h"
 #define THUD_MOUSE_OFF "\033[?1006l\033[?1002l"
 #define THUD_PASTE_ON  "\033[?2004h"

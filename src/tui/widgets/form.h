@@ -1,4 +1,4 @@
-/* The fields on a screen. Every drawing registers them again with their places, so the cursor keys need no other map. */
+/* The fields on a screen. Every drawing registers them again with their places, so the cursor keys need no map. */
 #pragma once
 
 #include "tui/terminal/canvas.h"
