@@ -369,6 +369,23 @@ infocmp xterm-256color | sed -e 's/^xterm-256color|[^,]*/sixteen|a terminal of s
 tic -o "$tmp/terminfo" "$tmp/sixteen.ti"
 colors "sixteen TERMINFO=\$PWD/terminfo" '31|35|94'
 colors screen '31|34|35'
+# Few colours are shared by curves, so these have their dashes there too, as without any.
+curves_of() { # ENVIRONMENT NAME: the screen of the plots, with all cases in one chart
+    start 80 24
+    command "$1 ./thud towers"
+    wait_for "$2: running" 'ok *$'
+    keys 5
+    wait_for "$2: plots" 'Impact force'
+    wait_for "$2: has its histories" 'bumper 39.6 MN'
+    mux capture-pane -p -t s | sed -n 5,20p >"$tmp/curves.$2"
+    keys q
+    at_shell "$2: quit"
+}
+curves_of NO_COLOR=1 none
+curves_of "TERM=sixteen TERMINFO=\$PWD/terminfo" sixteen
+curves_of TERM=tmux-256color all
+if cmp -s "$tmp/curves.none" "$tmp/curves.sixteen"; then ok "16 colours: curves have dashes"; else bad "16 colours: curves have no dashes"; fi
+if cmp -s "$tmp/curves.none" "$tmp/curves.all"; then bad "256 colours: curves have dashes"; else ok "256 colours: curves are whole"; fi
 start 80 24
 command "TERM=tmux-256color ./thud towers"
 wait_for "borders: running" 'ok *$'

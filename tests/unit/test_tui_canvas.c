@@ -261,6 +261,10 @@ START_TEST(the_themes_can_be_read)
             }
         }
     }
+    for (int i = 0; i < 8; i++) /* on black sixteen are enough */
+        for (int j = 0; j < i; j++)
+            ck_assert_int_ne(thud_role_color(THUD_THEME_DARK, THUD_ROLE_SERIES + i, 16),
+                             thud_role_color(THUD_THEME_DARK, THUD_ROLE_SERIES + j, 16));
     for (int theme = THUD_THEME_DARK; theme <= THUD_THEME_LIGHT; theme++)
         for (int i = 0; i < 8; i++)
             for (int j = 0; j < i; j++)

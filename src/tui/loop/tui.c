@@ -38,7 +38,7 @@ enum thud_status thud_tui_create(const struct thud_tui_options *options, struct 
     tui->backend = backend;
     tui->doc.paths = options->paths;
     tui->canvas.ascii = !backend->utf8;
-    tui->canvas.color = backend->color;
+    tui->canvas.hues = backend->hues;
     tui->mouse = true;
     thud_tui_redraw(tui, true);
     for (int i = 0; i <= THUD_SCREENS; i++)

@@ -39,7 +39,7 @@ enum {
 
 struct thud_backend {
     void *state;
-    bool utf8, color; /* what can be shown */
+    bool utf8, color, hues; /* what can be shown; the last: a colour of its own for each curve */
     int click_x, click_y;
     const char *paste; /* lasts until the next key */
     int also;          /* a file whose bytes wake key() as well; -1: none */

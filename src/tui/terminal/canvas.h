@@ -39,7 +39,7 @@ struct thud_canvas {
     int width, height;
     struct thud_cell *cell; /* (height x width) */
     bool ascii;             /* every glyph is brought down to ASCII when it is put */
-    bool color;             /* roles are told apart by colours too */
+    bool hues;              /* each curve has a colour of its own */
     int cursor_x, cursor_y; /* -1: no cursor */
 };
 

@@ -39,7 +39,7 @@ static const short table[THUD_ROLES][3 * DEPTHS] = {
     [THUD_ROLE_WARN] = {166, MAGENTA, MAGENTA, 215, BRIGHT_YELLOW, YELLOW, 130, MAGENTA, MAGENTA},
     [THUD_ROLE_ERROR] = {160, RED, RED, 203, BRIGHT_RED, RED, 124, RED, RED},
     [THUD_ROLE_KEY] = {30, TEXT, TEXT, 80, BRIGHT_MAGENTA, MAGENTA, 23, TEXT, TEXT},
-    [THUD_ROLE_SERIES] = {32, BRIGHT_BLUE, BLUE, 39, BRIGHT_CYAN, CYAN, 25, BLUE, BLUE}, /* blue */
+    [THUD_ROLE_SERIES] = {32, BRIGHT_BLUE, BLUE, 39, BRIGHT_BLUE, CYAN, 25, BLUE, BLUE}, /* blue */
     [THUD_ROLE_SERIES + 1] = {166, RED, RED, 208, BRIGHT_RED, RED, 130, RED, RED},       /* vermilion */
     [THUD_ROLE_SERIES + 2] = {29, TEXT, TEXT, 42, BRIGHT_GREEN, GREEN, 23, TEXT, TEXT},  /* bluish green */
     [THUD_ROLE_SERIES + 3] = {136, MAGENTA, MAGENTA, 214, BRIGHT_YELLOW, YELLOW, 94, MAGENTA, MAGENTA}, /* orange */
@@ -47,7 +47,7 @@ static const short table[THUD_ROLES][3 * DEPTHS] = {
     [THUD_ROLE_SERIES + 5] = {169, MAGENTA, MAGENTA, 176, BRIGHT_MAGENTA, MAGENTA, 127, MAGENTA,
                               MAGENTA},                                              /* reddish purple */
     [THUD_ROLE_SERIES + 6] = {TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT, TEXT}, /* black */
-    [THUD_ROLE_SERIES + 7] = {132, RED, RED, 168, BRIGHT_RED, RED, 89, RED, RED},    /* wine */
+    [THUD_ROLE_SERIES + 7] = {132, RED, RED, 168, MAGENTA, RED, 89, RED, RED},       /* wine */
 };
 
 static const short *of(enum thud_theme theme, int role)

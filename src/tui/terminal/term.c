@@ -274,8 +274,8 @@ static void take_interrupt_key(void)
 
 enum thud_status thud_term_open(struct thud_backend *backend, const struct thud_config *config, struct thud_error *err)
 {
-    bool color = config->color && config->theme != THUD_THEME_MONO;
-    const char *name = getenv("TERM");
+    const char *name = getenv("TERM"), *no_color = getenv("NO_COLOR");
+    bool color = config->color && config->theme != THUD_THEME_MONO && !(no_color && *no_color);
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
         return thud_error_set(err, THUD_USAGE,
                               "no terminal: the screens need one; `thud help` lists what works without");
@@ -299,9 +299,6 @@ enum thud_status thud_term_open(struct thud_backend *backend, const struct thud_
     typeahead(-1);
     take_interrupt_key();
     learn_keys(&the_terminal.decode);
-    const char *no_color = getenv("NO_COLOR");
-    if (no_color && *no_color)
-        color = false;
     if (color && has_colors() && start_color() == OK && use_default_colors() == OK)
         color_pairs();
     else
@@ -312,6 +309,7 @@ enum thud_status thud_term_open(struct thud_backend *backend, const struct thud_
     *backend = (struct thud_backend){.state = &the_terminal,
                                      .utf8 = utf8 && !config->ascii,
                                      .color = color,
+                                     .hues = color && COLORS >= 256 && config->theme != THUD_THEME_16,
                                      .also = -1,
                                      .size = term_size,
                                      .show = term_show,

@@ -211,7 +211,7 @@ void thud_chart_words(const struct thud_panel *panel, double x, char *text, size
         thud_append(text, size, " %s", up->unit);
 }
 
-/* Dashes and dots that tell curves apart where there is no colour; in ASCII their numbers do. */
+/* Dashes and dots that tell curves apart where colours cannot; in ASCII their numbers do. */
 static unsigned char pattern_of(const struct drawing *d, const struct thud_series *series, int number)
 {
     static const unsigned char pattern[] = {0xff, 0x3f, 0x0f, 0x55, 0x5f, 0x33, 0x77, 0x57};
@@ -220,7 +220,7 @@ static unsigned char pattern_of(const struct drawing *d, const struct thud_serie
         return 0;
     if (series->style.dashed)
         return BEHIND;
-    if (d->dots.pane.canvas->color) /* and by the numbers at the curves */
+    if (d->dots.pane.canvas->hues) /* and by the numbers at the curves */
         return 0;
     return number < 0 ? 0 : pattern[number % (int)sizeof pattern];
 }
