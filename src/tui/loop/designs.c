@@ -359,21 +359,23 @@ static void draw_row(struct thud_tui *tui, const struct list *list, const struct
 static void draw(struct thud_tui *tui, const struct thud_pane *area)
 {
     struct list *list = tui->dialog.own;
-    thud_pane_blank(area);
+    const int rows = tui->designs.n + 5 < area->h ? tui->designs.n + 5 : area->h; /* above it the screen is seen */
+    const struct thud_pane box = thud_pane_inside(area, 0, area->h - rows, area->w, rows);
+    thud_pane_blank(&box);
     char title[120] = "Designs: * on the screen, = compared with, + in the report";
     if (list->motions > 0)
         snprintf(title, sizeof title, "Designs: the largest over %d ground motions%s", list->motions,
                  list->work ? ", running" : "");
-    struct thud_pane in = thud_pane_frame(area, title, true);
-    int at = in.w, rows = in.h - 2;
+    struct thud_pane in = thud_pane_frame(&box, title, true);
+    int at = in.w;
     for (int c = COLUMNS - 1; c >= 0; c--) {
         thud_pane_right(&in, at, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
         at -= column[c].width;
     }
     thud_pane_put(&in, 2, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), at > 24 ? "design and what it changes" : "design");
-    thud_list_scroll(&list->at, &list->top, tui->designs.n, rows);
+    thud_list_scroll(&list->at, &list->top, tui->designs.n, in.h - 2);
     const struct thud_design *d;
-    for (int i = 0; i < rows && (d = row_at(tui, list->top + i)) != NULL; i++)
+    for (int i = 0; i < in.h - 2 && (d = row_at(tui, list->top + i)) != NULL; i++)
         draw_row(tui, list, d, &in, 1 + i, list->top + i == list->at);
     const struct thud_design *here = row_at(tui, list->at), *of = reference(tui);
     char words[500];
