@@ -10,12 +10,12 @@ missing() { # PAGE: numbers with decimals in its sentences that no output had
         grep -q -F -e "$number" outs || printf ' %s' "$number"
     done
 }
-walk() { # PAGE COMMANDS: what the page displays: the preset; of each command its lines, and those that it shows below them
+walk() { # PAGE COMMANDS: what the page displays: the preset; of each command its lines, indented as man shows them, and those that it shows below them
     mkdir "$tmp/$1" && cd "$tmp/$1" || exit 1
     sed -n '/^\.Bd -literal/,/^\.Ed/p' "$pages/$1.7" >displays
     sed -n '/^title:/,/^\.Ed/{/^\.Ed/!p;}' displays >mine.yaml
     awk '/^\$ / { n++; more = 1; sub(/^\$ /, "") } /^\.Ed/ { more = 0 } !n || /^\.(Bd|Ed)/ { next }
-        more { more = /\\e$/; sub(/\\e$/, "\\"); print >("step" n ".sh"); next } { sub(/^  /, ""); print >("step" n ".shown") }' displays
+        more { more = /\\e$/; sub(/\\e$/, "\\"); print "      " $0 >("step" n ".sh"); next } { sub(/^  /, ""); print >("step" n ".shown") }' displays
     is "$1 has its commands" [ "$(find . -name 'step*.sh' | wc -l)" -eq "$2" ]
     n=0
     while [ $((n += 1)) -le "$2" ]; do
