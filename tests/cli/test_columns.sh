@@ -115,6 +115,9 @@ for base in 0 0.6; do
         is "and there is one" [ -s "$tmp/a" ]
     done
 done
+is "figures of a run in several cases" gives 0 run mixed-row --to 8s --cases none,bumper -o "$tmp/cases" --quiet
+twice() { for gp in "$tmp"/cases/*.gp; do sed -n "s/.*'+' every .* with lines .*lc rgb '\(#[0-9A-F]*\)'.*/\1/p" "$gp" | sort | uniq -d; done; }
+is "have lines of different colours in each key, also where there is a capacity" sh -c "grep -q \"'capacity'\" '$tmp/cases/columns.gp' && [ -z '$(twice)' ]"
 is "a figure of the columns" is_png "$tmp/s/struck-columns.png"
 is "the summary tells of them" gives 0 sweep $scene --to 8s --cases none --vary structures.1.base=0m,0.6m --quiet
 is "by case" shows '^  none  *[0-9.]* to [0-9.]*  *[0-9.]* to [0-9.]*  *0'

@@ -5,7 +5,7 @@
 #include "plot/figures/figures_run_internal.h"
 #include "study/scene/level.h"
 
-enum { PANELS_MAX = 4, RING = THUD_COLORS - 1 };
+enum { PANELS_MAX = 4, BLACK = THUD_COLORS - 1 };
 
 /* Elevation of the struck place: of the contact with the largest force on these columns. *impacts: are there any. */
 static double struck_at(const struct thud_result *result, int column, double low, double high, bool *impacts)
@@ -58,7 +58,7 @@ static void add_shears(struct thud_panel *panel, const struct thud_figure_source
 static void add_strikes(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int interface)
 {
     const struct thud_result *result = source->result;
-    struct thud_style style = {.kind = THUD_POINTS, .color = RING, .wide = true};
+    struct thud_style style = {.kind = THUD_POINTS, .color = BLACK, .wide = true};
     struct thud_series *series =
         thud_panel_add(panel, style, "where a slab strikes", (size_t)result->ncolumns, NULL, NULL);
     for (int i = 0; series && i < result->ncolumns; i++) {
@@ -76,7 +76,7 @@ static void add_capacities(struct thud_panel *panel, const struct thud_figure_so
                            int interface)
 {
     const struct thud_result *result = source->result;
-    struct thud_style style = {.kind = THUD_LINES, .color = THUD_COLOR_GREY, .wide = true, .dashed = true};
+    struct thud_style style = {.kind = THUD_LINES, .color = BLACK, .wide = true}; /* grey dots are no pounding */
     bool any = false;
     for (int i = 0; i < result->ncolumns; i++)
         any |= is_shown(&result->column[i], structure, interface) && isfinite(result->column[i].capacity_n);
