@@ -146,10 +146,10 @@ int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud
     if (tried == 0)
         return 0;
     thud_free_vibration_fill(f, state, tried);
+    f->certain = -1;
     int intervals = thud_free_vibration_until_yield(f, state, thud_free_vibration_until_contact(f, state, tried));
     intervals = thud_free_vibration_until_collapse(f, state, intervals);
-    f->size = intervals == 0                            ? SHORT_BLOCK
-              : intervals < tried                       ? 0
+    f->size = intervals < tried                         ? (intervals > 0 && f->certain == intervals ? 0 : SHORT_BLOCK)
               : 2 * f->size < THUD_FREE_VIBRATION_BLOCK ? 2 * f->size
                                                         : THUD_FREE_VIBRATION_BLOCK;
     f->ends = intervals + 1; /* nothing behind an event is read */

@@ -67,7 +67,8 @@ struct thud_free_vibration {
     double *limit;  /* (ncontacts) gap above which a contact may close in an interval of the block */
     bool *near;     /* (ncontacts) whether it may in the interval looked at */
     int ends;       /* in the block */
-    int size;       /* intervals to try next; 0: in the next one lies an event */
+    int certain;    /* interval of the block in which an event lies, whatever block it is in: by its end; -1: none */
+    int size;       /* intervals to try next; 0: in the next one an event is certain */
     long made;      /* series so far: what the work is measured by */
     double *block;
 };

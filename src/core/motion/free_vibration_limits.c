@@ -223,7 +223,7 @@ static bool set_limits(struct thud_free_vibration *f, const struct thud_state *s
     return any;
 }
 
-/* Marks the contacts that may close in interval t; whether there are any. */
+/* Marks the contacts that may close in interval t; whether there are any. One that is closed at its end is certain to. */
 static bool find_near(struct thud_free_vibration *f, const struct thud_state *state, int t)
 {
     const struct thud_model *m = state->model;
@@ -238,6 +238,8 @@ static bool find_near(struct thud_free_vibration *f, const struct thud_state *st
                end = side_value(left, u + 1) - side_value(right, u + 1);
         f->near[c] = start > f->limit[c] || end > f->limit[c];
         any |= f->near[c];
+        if (end > thud_state_clearance(state, c) + 2 * THUD_TOL_INDENTATION_M)
+            f->certain = t;
     }
     return any;
 }
@@ -248,7 +250,7 @@ int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struc
     if (!set_limits(f, state, intervals))
         return intervals;
     for (int t = 0; t < intervals; t++)
-        if (find_near(f, state, t) && closes(f, state, t))
+        if (find_near(f, state, t) && (f->certain == t || closes(f, state, t)))
             return t;
     return intervals;
 }
@@ -309,9 +311,11 @@ int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct 
                      past = k == f->yields ? 0 : state->model->storey[k].yield_m + 2 * THUD_TOL_INDENTATION_M;
         if (thud_largest(f->gap, intervals + 1) <= limit && state->storey[k].suppressed == 0)
             continue;
-        for (int t = 0; t < intervals; t++)
-            if ((f->gap[t] > limit || f->gap[t + 1] > limit) && (f->gap[t + 1] > past || yields(f, state, k, t)))
+        for (int t = 0; t < intervals; t++) {
+            f->certain = f->gap[t + 1] > past ? t : f->certain;
+            if ((f->gap[t] > limit || f->gap[t + 1] > limit) && (f->certain == t || yields(f, state, k, t)))
                 intervals = t;
+        }
     }
     return intervals;
 }
