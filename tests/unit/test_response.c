@@ -106,8 +106,8 @@ START_TEST(a_force_s_to_the_p_moves_contacts_as_the_series_does)
     for (int level = 0; level < LEVELS; level++) {
         ck_assert_int_eq(thud_responses_make(f.responses, level, f.contact, f.n, f.response, NULL), THUD_OK);
         for (int at = 0; at < f.n * NODES; at++) {
-            const int b = at / NODES, p = at % NODES; /* of the highest, the table's last terms are left out */
-            const double rounding = p > 4 ? 1e-9 : 1e-12;
+            const int b = at / NODES, p = at % NODES;
+            const double rounding = 1e-12;
             thud_segment_begin(state, seg, ldexp(f.h_top, -level),
                                thud_segment_all_terms(state, ldexp(f.h_top, -level)));
             seg->terms = THUD_SEGMENT_TERMS;

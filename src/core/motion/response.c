@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/contact/segment.h"
-#include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
@@ -49,8 +48,24 @@ struct thud_responses {
     struct thud_segment seg; /* workspace: series of the motion under unit loads */
     double *at_start, *rise; /* (nmodes) */
     double *zero, *ones;     /* (nmodes) no displacements; 1 */
-    thud_vec2 *unforced;     /* (nmodes x points) modes that start at rest, and their rates */
+    double *weight;      /* (n + 1 x points x terms) of a series of x_0 for its rate at the points, and its integrals */
+    thud_vec2 *unforced; /* (nmodes x points) modes that start at rest, and their rates */
 };
+
+/* Fills x->weight: a term of x_0 integrated p times is k!/(k + p)! s^p times its own; p = -1: its rate. */
+static void fill_weights(struct thud_responses *x)
+{
+    const int terms =
+        thud_segment_terms(x->model->fastest_radps * x->h_top, THUD_TOL_SERIES); /* of level 0: the most */
+    for (int i = 0; i < x->points; i++) {
+        double power = 1; /* s^(k - 1) */
+        for (int k = 1; k < terms; k++, power *= x->point[i]) {
+            double value = k * power;
+            for (int p = -1; p < x->n; p++, value *= x->point[i] / (k + p))
+                x->weight[((p + 1) * x->points + i) * THUD_SEGMENT_TERMS + k] = value;
+        }
+    }
+}
 
 enum thud_status thud_responses_create(const struct thud_model *m, int n, int points, const double *point,
                                        const double *lagrange, double h_top, struct thud_responses **out,
@@ -65,8 +80,9 @@ enum thud_status thud_responses_create(const struct thud_model *m, int n, int po
         memcpy(x->point, point, (size_t)points * sizeof *point);
         x->at_start = calloc(4 * modes + 1, sizeof *x->at_start);
         x->unforced = calloc(size + 1, sizeof *x->unforced);
+        x->weight = calloc((size_t)((n + 1) * points * THUD_SEGMENT_TERMS), sizeof *x->weight);
     }
-    if (!x || !x->at_start || !x->unforced || thud_segment_init(&x->seg, m, err) != THUD_OK) {
+    if (!x || !x->at_start || !x->unforced || !x->weight || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_responses_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -76,6 +92,7 @@ enum thud_status thud_responses_create(const struct thud_model *m, int n, int po
     x->ones = x->zero + modes;
     for (size_t j = 0; j < modes; j++)
         x->ones[j] = 1;
+    fill_weights(x);
     return THUD_OK;
 }
 
@@ -94,19 +111,12 @@ void thud_responses_free(struct thud_responses *x)
     }
     free(x->at_start);
     free(x->unforced);
+    free(x->weight);
     thud_segment_clear(&x->seg);
     free(x);
 }
 
 /* ---- R and R' ---- */
-
-/* A power series (terms) of x_p, and of others that stand `apart` behind it, becomes that of x_(p + 1). */
-static void raise_power(double *series, int terms, int apart, int p)
-{
-    for (int k = terms - 1; k > 0; k--)
-        for (int j = 0; j < apart; j++)
-            series[k * apart + j] = (p + 1.0) / k * series[(k - 1) * apart + j];
-}
 
 /* The series under the load b on the modes, and what of it is read at the points. */
 static bool fill_load(struct thud_responses *x, struct load *out, const double *b, int terms, double h)
@@ -119,12 +129,15 @@ static bool fill_load(struct thud_responses *x, struct load *out, const double *
     out->start = (thud_vec2 *)(out->series + terms * n);
     thud_taylor_load(x->model, seg, h, terms, b);
     memcpy(out->series, seg->q, (size_t)(terms * n) * sizeof *out->series);
-    for (int p = 0; p < 2; p++, raise_power(seg->q, terms, n, 0))
+    for (int p = 0; p < 2; p++) {
         for (int i = 0; i < x->points; i++) {
             thud_segment_state(seg, n, x->point[i], x->at_start, x->rise);
             for (int j = 0; j < n; j++)
                 out->start[p * size + j * x->points + i] = thud_vec2_set(x->at_start[j], x->rise[j]);
         }
+        for (int k = terms * n - 1; k >= n; k--) /* the series of x_1 */
+            seg->q[k] = seg->q[k - n] / (k / n);
+    }
     return true;
 }
 
@@ -173,20 +186,16 @@ static bool fill_pair(struct thud_responses *x, const struct level *level, doubl
     const struct thud_model *m = x->model;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes;
     thud_vec2 *motion = *out = calloc((size_t)(x->points * x->n), sizeof *motion);
-    double gap[THUD_SEGMENT_TERMS], value[THUD_POINTS_MAX] = {0}, now[3];
+    double gap[THUD_SEGMENT_TERMS], value[(THUD_NODES_MAX + 1) * THUD_POINTS_MAX], factorial = 1;
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] = m->couples ? -ga[j] : -ga[j] * gb[j];
     thud_dots(m->nmodes, x->rise, load_of(x, level, b)->series, m->nmodes, level->terms, gap);
-    for (int p = 0; p < x->n && motion; p++, raise_power(gap, level->terms, 1, p - 1))
-        for (int i = 1; i < x->points; i++) { /* at the start all is at rest */
-            if (p == 0)
-                thud_poly_value3(gap, level->terms, x->point[i], now);
-            else
-                now[0] = thud_poly_value(gap, level->terms, x->point[i]);
-            const thud_vec2 by_load = thud_vec2_set(now[0], (p == 0 ? now[1] : p * value[i]) / h);
-            value[i] = now[0];
+    thud_dots(level->terms, gap, x->weight, THUD_SEGMENT_TERMS, (x->n + 1) * x->points, value);
+    for (int p = 0; p < x->n && motion; p++, factorial *= p) /* x_p is p! times that integral */
+        for (int i = 0; i < x->points; i++) {
+            const double *at = value + p * x->points + i;
             for (int k = 0; k < x->n; k++)
-                motion[i * x->n + k] += x->lagrange[p * x->n + k] * by_load;
+                motion[i * x->n + k] += factorial * x->lagrange[p * x->n + k] * thud_vec2_set(at[x->points], at[0] / h);
         }
     return motion != NULL;
 }
