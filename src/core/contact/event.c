@@ -237,15 +237,15 @@ static void see_nodes(struct view *v)
     const struct thud_segment_nodes *nodes = v->seg->nodes;
     const thud_vec2 *motion = nodes->motion + nodes->at[v->c] * nodes->points;
     const double h = v->seg->h_s, third = any_floors(v->state->model, v->c, v->seg->notes->thirds);
-    thud_vec2 low = motion[0], high = low;
+    thud_vec2 high = motion[0], under = -high; /* the lowest times -1 */
     for (int i = 1; i < nodes->count; i++) {
-        low = thud_vec2_smaller(motion[i], low);
         high = thud_vec2_larger(motion[i], high);
+        under = thud_vec2_larger(-motion[i], under);
     }
     const double rate = nodes->widest * nodes->widest / 8 * third / h,
-                 way = 0.5 * nodes->widest * h * (thud_larger(-low[1], high[1]) + rate);
-    v->middle = 0.5 * (low + high);
-    v->reach = 0.5 * (high - low) + thud_vec2_set(way, rate);
+                 way = 0.5 * nodes->widest * h * (thud_larger(under[1], high[1]) + rate);
+    v->middle = 0.5 * (high - under);
+    v->reach = 0.5 * (high + under) + thud_vec2_set(way, rate);
 }
 
 /* The contact as its guards see it. `copy` (terms) may take its indentation. */

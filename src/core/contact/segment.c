@@ -62,17 +62,12 @@ static void forget(const struct thud_segment *seg, int nrows)
 /* Bounds of two modes, or one: sums of the sizes of their terms. */
 static void two_bounds(const struct thud_segment *seg, int nmodes, int j, bool single)
 {
-    static const double by_third[THUD_SEGMENT_TERMS] = {
-        /* k (k-1) (k-2) */
-        0,     0,     0,     6,     24,    60,    120,   210,   336,   504,   720,   990,   1320,  1716,
-        2184,  2730,  3360,  4080,  4896,  5814,  6840,  7980,  9240,  10626, 12144, 13800, 15600, 17550,
-        19656, 21924, 24360, 26970, 29760, 32736, 35904, 39270, 42840, 46620, 50616, 54834};
     const double *q = seg->q + 2 * nmodes + j;
     thud_vec2 sum = {0, 0}, third = {0, 0};
     for (int order = 2; order < seg->terms; order++, q += nmodes) {
         const thud_vec2 size = thud_vec2_abs(thud_vec2_some(q, single));
         sum += size;
-        third += by_third[order] * size;
+        third += order * (order - 1) * (order - 2) * size;
     }
     thud_vec2_put_some(sum, seg->notes->bound + j, single);
     thud_vec2_put_some(third, seg->notes->bound + nmodes + j, single);

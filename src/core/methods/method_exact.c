@@ -48,8 +48,7 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
     const struct thud_model *m = state->model;
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
     const double h = fmin(thud_state_remaining(state), longest_angle / thud_segment_rate(state));
-    const int all = thud_segment_all_terms(state, h);
-    thud_segment_begin(state, seg, h, all < THUD_SEGMENT_TERMS_TRIED ? all : THUD_SEGMENT_TERMS_TRIED);
+    thud_segment_begin(state, seg, h, (int)thud_smaller(thud_segment_all_terms(state, h), THUD_SEGMENT_TERMS_TRIED));
     double tail = thud_taylor_linear(state, seg);
     while (tail > THUD_TOL_SERIES_TAIL) {
         double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS_TRIED - 4));

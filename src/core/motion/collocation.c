@@ -273,12 +273,6 @@ static enum thud_status set_points(const struct thud_state *state, const struct 
     return thud_responses_create(state->model, n, by->points, by->point, lagrange, x->h_top, &by->responses, err);
 }
 
-/* The longest step: an interval of the ground motion, or a part of one that a series is enough for. */
-static double longest_step(const struct thud_state *state)
-{
-    return state->grid_dt_s / ceil(thud_larger(1, state->fastest_radps * state->grid_dt_s / THUD_SEGMENT_ANGLE));
-}
-
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err)
 {
@@ -287,7 +281,9 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->nrows;
-    x->h = x->h_top = longest_step(state);
+    /* an interval of the ground motion, or a part of one that a series is enough for */
+    x->h = x->h_top =
+        state->grid_dt_s / ceil(thud_larger(1, state->fastest_radps * state->grid_dt_s / THUD_SEGMENT_ANGLE));
     x->contraction = slowest_contraction;
     size_t nc = (size_t)m->nrows;
     x->step.coefficient = calloc(ROW * nc + 1, sizeof(double));

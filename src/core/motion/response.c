@@ -55,11 +55,9 @@ struct thud_responses {
 /* Fills x->weight: a term of x_0 integrated p times is k!/(k + p)! s^p times its own; p = -1: its rate. */
 static void fill_weights(struct thud_responses *x)
 {
-    const int terms =
-        thud_segment_terms(x->model->fastest_radps * x->h_top, THUD_TOL_SERIES); /* of level 0: the most */
     for (int i = 0; i < x->points; i++) {
         double power = 1; /* s^(k - 1) */
-        for (int k = 1; k < terms; k++, power *= x->point[i]) {
+        for (int k = 1; k < THUD_SEGMENT_TERMS; k++, power *= x->point[i]) {
             double value = k * power;
             for (int p = -1; p < x->n; p++, value *= x->point[i] / (k + p))
                 x->weight[((p + 1) * x->points + i) * THUD_SEGMENT_TERMS + k] = value;

@@ -56,16 +56,11 @@ static inline bool thud_vec2_any(thud_vec2_bits where)
     return (where[0] | where[1]) != 0;
 }
 
-/* The larger and the smaller of each two numbers; y where one is NaN. */
+/* The larger of each two numbers; y where one is NaN. */
 static inline thud_vec2 thud_vec2_larger(thud_vec2 x, thud_vec2 y)
 {
     const thud_vec2_bits where = (thud_vec2_bits)(x > y);
     return (thud_vec2)(((thud_vec2_bits)x & where) | ((thud_vec2_bits)y & ~where));
-}
-
-static inline thud_vec2 thud_vec2_smaller(thud_vec2 x, thud_vec2 y)
-{
-    return -thud_vec2_larger(-x, -y);
 }
 
 /* a[0] b[0] + ... + a[n - 1] b[n - 1] */

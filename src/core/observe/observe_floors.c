@@ -175,7 +175,7 @@ static void look(const struct thud_floor_block *t, const struct thud_floor_load 
                  struct thud_floor_batch *batch)
 {
     const double h = t->piece_s, curve = h * load->curve;
-    thud_vec2 margin = {INFINITY, INFINITY};
+    thud_vec2 excess = {-INFINITY, -INFINITY};
     for (int i = 0; i < PAIRS; i++) {
         const struct thud_complex2 mu = t->mu[i], to = batch->z[i];
         const thud_vec2 angle = h * t->omega[i], last = to.im - times(mu, to).im / 3;
@@ -191,9 +191,9 @@ static void look(const struct thud_floor_block *t, const struct thud_floor_load 
         for (int j = 0; j < 2 && thud_vec2_any(passes); j++)
             if (passes[j])
                 batch->peak[i][j] = look_inside(t, load, i, j, from[i], batch->peak[i][j]);
-        margin = thud_vec2_smaller(batch->peak[i] - size_of(to), margin);
+        excess = thud_vec2_larger(size_of(to) - batch->peak[i], excess);
     }
-    batch->margin = thud_smaller(margin[0], margin[1]);
+    batch->margin = -thud_larger(excess[0], excess[1]);
 }
 
 /* Moves the oscillators on a floor through a piece. No |z| grows by more than the integral of |a|. */
