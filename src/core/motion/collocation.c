@@ -193,7 +193,7 @@ static double missed_force(const struct thud_state *state, const struct thud_col
 
 /* Error of contact a's force: the largest difference between its polynomial and the law between the nodes, over the
  * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
- * what counts is the impulse that the difference makes up. */
+ * what counts is the impulse that the difference makes up. Where the first is next to nothing, so are the others. */
 static inline double contact_error(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
                                    double tolerance, const int n)
 {
@@ -201,8 +201,9 @@ static inline double contact_error(const struct thud_state *state, const struct 
     const double mass = state->model->contact[x->active[a]].setup.mass_kg, scale = force_scale(state, x, a),
                  small = 1e-2 * tolerance * scale;
     double most = 0;
-    for (int i = 0; i < CHECKS; i++) {
+    for (int i = 0; i < CHECKS && (i == 0 || most > 0.1 * small); i++) {
         const thud_vec2 motion = motion_at(x, a, n + i, n);
+        state->work->force_evaluations++;
         most = thud_larger(most, force_difference(state, x, a, i, motion, h, small, n));
         if (i == 0 && thud_row_starts_at_zero(state, x->active[a]))
             most = thud_larger(most, missed_force(state, x, a, motion, x->by->point[n] * h));
@@ -223,7 +224,6 @@ static inline double contact_errors(const struct thud_state *state, const struct
     double worst = 0;
     for (int a = 0; a < x->nactive; a++)
         worst = thud_larger(worst, contact_error(state, x, a, h, tolerance, n));
-    state->work->force_evaluations += CHECKS * x->nactive;
     return worst;
 }
 
