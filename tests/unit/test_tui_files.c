@@ -1117,6 +1117,8 @@ START_TEST(what_is_wrong_is_said)
     fixture_expect(&f, "is not a number; give a length");
     fixture_keys(&f, ":storey add 9 9<Enter>");
     fixture_expect(&f, "storey add STRUCTURE FLOOR, counted from 1");
+    fixture_keys(&f, ":storey add 1 99<Enter>");
+    fixture_expect(&f, "storey add 1 99: storey add STRUCTURE FLOOR, counted from 1");
     fixture_keys(&f, ":bumper both<Enter>"); /* nothing is done that was not asked for */
     fixture_expect(&f, "bumper [INTERFACE], counted from 1");
     fixture_keys(&f, ":swap 1 3<Enter>");

@@ -34,9 +34,9 @@ static struct thud_structure *building(struct thud_scene *scene, int number)
 static bool add_storey(struct thud_scene *scene, int number, int floor, char *what, size_t size)
 {
     struct thud_structure *s = building(scene, number);
-    if (!s || s->storeys >= THUD_STOREYS_MAX)
+    if (!s || s->storeys >= THUD_STOREYS_MAX || floor > s->storeys)
         return false;
-    if (floor < 1 || floor > s->storeys)
+    if (floor < 1)
         floor = s->storeys;
     move_floors(s, floor, floor - 1, s->storeys - floor + 1);
     s->storeys++;
