@@ -1119,6 +1119,11 @@ START_TEST(what_is_wrong_is_said)
     fixture_expect(&f, "storey add STRUCTURE FLOOR, counted from 1");
     fixture_keys(&f, ":storey add 1 99<Enter>");
     fixture_expect(&f, "storey add 1 99: storey add STRUCTURE FLOOR, counted from 1");
+    fixture_keys(&f, ":live off<Enter>:live maybe<Enter>");
+    fixture_expect(&f, "live is on or off, not \"maybe\"");
+    ck_assert(!f.tui->run.on);
+    fixture_keys(&f, ":live on<Enter>");
+    ck_assert(f.tui->run.on);
     fixture_keys(&f, ":bumper both<Enter>"); /* nothing is done that was not asked for */
     fixture_expect(&f, "bumper [INTERFACE], counted from 1");
     fixture_keys(&f, ":swap 1 3<Enter>");

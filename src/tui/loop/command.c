@@ -158,11 +158,6 @@ static void run_compare(struct thud_tui *tui, char *rest)
     thud_tui_compare_with(tui, rest);
 }
 
-static void run_name(struct thud_tui *tui, char *rest)
-{
-    thud_tui_name_design(tui, rest);
-}
-
 static void run_keep_force(struct thud_tui *tui, char *rest)
 {
     (void)rest;
@@ -196,7 +191,12 @@ static void run_folder(struct thud_tui *tui, char *rest)
 
 static void run_live(struct thud_tui *tui, char *rest)
 {
-    tui->run.on = strcmp(rest, "off") != 0;
+    const bool off = strcmp(rest, "off") == 0;
+    if (*rest && !off && strcmp(rest, "on") != 0) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! live is on or off, not \"%.40s\"", rest);
+        return;
+    }
+    tui->run.on = !off;
     thud_tui_say(tui, THUD_ROLE_PLAIN, tui->run.on ? "Live: every edit runs at once" : "Live is off: r runs");
 }
 

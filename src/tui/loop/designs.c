@@ -128,7 +128,7 @@ static bool name_design(struct thud_tui *tui, struct thud_design *d, const char 
     return true;
 }
 
-void thud_tui_name_design(struct thud_tui *tui, const char *name)
+void thud_tui_name_design(struct thud_tui *tui, char *name)
 {
     struct thud_design *d = present(tui);
     if (d && name_design(tui, d, name))
