@@ -1024,6 +1024,31 @@ START_TEST(designs_over_a_suite)
 }
 END_TEST
 
+/* A report's list of designs has room for some; a path that has none is left out whole, which is said. */
+START_TEST(designs_without_room_are_named)
+{
+    char keys[80];
+    for (int i = 0; i < 25; i++) {
+        snprintf(keys, sizeof keys, ":set gap %d cm<Enter>:name a-rather-long-name-%02d<Enter>", 3 + i, i);
+        fixture_keys(&f, keys);
+    }
+    fixture_keys(&f, ":set gap 50 cm<Enter>:report<Enter>");
+    fixture_expect(&f, "--beside has no room for");
+    ck_assert_int_eq((int)f.tui->dialog.mode, (int)THUD_MODE_OVER);
+    const struct thud_form_over *form = f.tui->dialog.own;
+    for (int i = 0; i < form->n; i++) {
+        const struct thud_option *option = form->row[i].of;
+        if (!option || strcmp(option->name, "beside") != 0)
+            continue;
+        const char *list = form->row[i].value[0].text;
+        ck_assert_int_gt((int)strlen(list), 400);
+        ck_assert_str_eq(list + strlen(list) - 5, ".yaml");
+        return;
+    }
+    ck_abort_msg("the form has no row of designs");
+}
+END_TEST
+
 /* The state on the screen is the one that is named, whether it was run or not. */
 START_TEST(the_state_on_the_screen_is_named)
 {
@@ -1124,6 +1149,9 @@ START_TEST(what_is_wrong_is_said)
     ck_assert(!f.tui->run.on);
     fixture_keys(&f, ":live on<Enter>");
     ck_assert(f.tui->run.on);
+    snprintf(keys, sizeof keys, ":bumper 1%80sboth<Enter>", ""); /* nor is the end of a long line cut */
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "[INTERFACE], counted from 1");
     fixture_keys(&f, ":bumper both<Enter>"); /* nothing is done that was not asked for */
     fixture_expect(&f, "bumper [INTERFACE], counted from 1");
     fixture_keys(&f, ":swap 1 3<Enter>");
@@ -1217,6 +1245,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, a_scene_from_nothing);
     tcase_add_test(files, designs_over_a_suite);
     tcase_add_test(files, the_state_on_the_screen_is_named);
+    tcase_add_test(files, designs_without_room_are_named);
     tcase_add_test(files, a_bumper_that_is_out_is_saved);
     tcase_add_test(files, a_deleted_preset_is_said_to_be_deleted);
     tcase_add_test(files, what_a_prompt_proposes_is_selected);

@@ -252,15 +252,17 @@ void thud_tui_edit_scene(struct thud_tui *tui, const char *fmt, ...)
 {
     struct thud_scene next = tui->doc.scene;
     struct thud_error err;
-    char words[96], what[300];
+    struct thud_text words = {0};
+    char what[300];
     va_list args;
     va_start(args, fmt);
-    vsnprintf(words, sizeof words, fmt, args);
+    thud_text_append_list(&words, fmt, args);
     va_end(args);
-    if (thud_scene_edit(&next, words, what, sizeof what, &err) != THUD_OK)
+    if (thud_scene_edit(&next, words.failed ? "" : words.data, what, sizeof what, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
-        change(tui, &next, what, words);
+        change(tui, &next, what, words.data);
+    thud_text_clear(&words);
 }
 
 void thud_tui_keep_force(struct thud_tui *tui)

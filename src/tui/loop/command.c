@@ -98,9 +98,8 @@ static bool go_to(struct thud_tui *tui, const char *name)
 
 static void run_figures(struct thud_tui *tui, char *rest)
 {
-    if (*rest && !go_to(tui, rest))
-        return;
-    tui->dialog.next = THUD_DO_PICTURES;
+    if (!*rest || go_to(tui, rest))
+        tui->dialog.next = THUD_DO_PICTURES;
 }
 
 /* "picture Plots impact-force": the figure of a screen by its name; alone the one on show. */
@@ -142,7 +141,7 @@ static void run_log(struct thud_tui *tui, char *rest)
 
 static void edit_scene(struct thud_tui *tui, const char *word, char *rest)
 {
-    thud_tui_edit_scene(tui, "%s%s%.60s", word, *rest ? " " : "", rest);
+    thud_tui_edit_scene(tui, "%s%s%s", word, *rest ? " " : "", rest);
 }
 
 static void run_design(struct thud_tui *tui, char *rest)
@@ -151,11 +150,6 @@ static void run_design(struct thud_tui *tui, char *rest)
         thud_tui_go_to_design(tui, rest);
     else
         thud_tui_list_designs(tui);
-}
-
-static void run_compare(struct thud_tui *tui, char *rest)
-{
-    thud_tui_compare_with(tui, rest);
 }
 
 static void run_keep_force(struct thud_tui *tui, char *rest)

@@ -75,7 +75,7 @@ void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
 }
 
 /* Empty, or the one that is chosen already: changes are compared with the state before them again. */
-void thud_tui_compare_with(struct thud_tui *tui, const char *name)
+void thud_tui_compare_with(struct thud_tui *tui, char *name)
 {
     const struct thud_design *d = *name ? named(tui, name) : NULL;
     struct thud_record *record = NULL;

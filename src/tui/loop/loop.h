@@ -59,7 +59,7 @@ void thud_tui_fill_fields(struct thud_tui *tui); /* into the list */
 /* designs.c: what was run so far */
 void thud_tui_list_designs(struct thud_tui *tui);
 void thud_tui_go_to_design(struct thud_tui *tui, const char *name); /* or "#3" */
-void thud_tui_compare_with(struct thud_tui *tui, const char *name); /* empty: with the state before each change */
+void thud_tui_compare_with(struct thud_tui *tui, char *name);       /* empty: with the state before each change */
 void thud_tui_name_design(struct thud_tui *tui, char *name);        /* the present one, and saves it so */
 /* Where the preset of a named design stands. */
 void thud_tui_design_path(const struct thud_tui *tui, const char *name, char *path, size_t size);

@@ -226,9 +226,13 @@ static void designs_of_report(struct thud_tui *tui, struct thud_line *line)
     for (int i = 0; i < tui->designs.n; i++) {
         const struct thud_design *d = &tui->designs.item[i];
         thud_tui_design_path(tui, d->name, path, sizeof path);
-        if (*d->name && (d->marked || !any) && strcmp(path, tui->doc.path) != 0 &&
-            !thud_doc_runs_alike(d->scene, &tui->doc.scene) && access(path, F_OK) == 0)
-            thud_append(text, sizeof text, "%s%.500s", *text ? "," : "", path);
+        if (!*d->name || (!d->marked && any) || strcmp(path, tui->doc.path) == 0 ||
+            thud_doc_runs_alike(d->scene, &tui->doc.scene) || access(path, F_OK) != 0)
+            continue;
+        if (strlen(text) + strlen(path) + 2 > sizeof text)
+            thud_tui_say(tui, THUD_ROLE_WARN, "! --beside has no room for %s", path);
+        else
+            thud_append(text, sizeof text, "%s%s", *text ? "," : "", path);
     }
     thud_line_set(line, text);
 }
