@@ -5,7 +5,6 @@
 #include <locale.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "app/run/command.h"
 #include "base/nearest.h"
@@ -37,20 +36,7 @@ enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err)
 {
     if (text->data)
         text->size = thud_text_shown(text->data, "\n\t");
-    return thud_cli_print_data(text, err);
-}
-
-enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *err)
-{
-    if (text->data && isatty(STDOUT_FILENO))
-        text->size = thud_text_shown(text->data, "\n\t");
-    enum thud_status status = THUD_OK;
-    if (text->failed)
-        status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    else if (text->size > 0 && (fwrite(text->data, 1, text->size, stdout) != text->size || fflush(stdout) != 0))
-        status = thud_error_set(err, THUD_OUTPUT, "standard output: %s", strerror(errno));
-    thud_text_clear(text);
-    return status;
+    return thud_text_print(text, err);
 }
 
 enum thud_written thud_cli_form(const struct thud_args *args)
@@ -66,7 +52,7 @@ enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_tex
         thud_text_clear(text);
         return before;
     }
-    enum thud_status printed = (data ? thud_cli_print_data : thud_cli_print)(text, before == THUD_OK ? err : NULL);
+    enum thud_status printed = (data ? thud_text_print : thud_cli_print)(text, before == THUD_OK ? err : NULL);
     return before == THUD_OK ? printed : before;
 }
 
@@ -98,7 +84,7 @@ enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_
     thud_text_append(&out, "]}\n");
     out.failed |= lines->failed;
     thud_text_clear(lines);
-    return thud_cli_print_data(&out, err);
+    return thud_text_print(&out, err);
 }
 
 static enum thud_status help(enum thud_command_id command, struct thud_error *err)

@@ -77,7 +77,7 @@ static enum thud_status print_json(const struct thud_scene *scene, struct thud_t
     thud_text_append(&out, "}\n");
     out.failed |= script->failed;
     thud_text_clear(script);
-    return thud_cli_print_data(&out, err);
+    return thud_text_print(&out, err);
 }
 
 static enum thud_status deliver(const struct thud_args *args, const struct thud_session *session,

@@ -213,7 +213,7 @@ enum thud_status thud_command_new(const struct thud_args *args, struct thud_erro
         return status;
     }
     if (to_output)
-        return thud_cli_print_data(&text, err);
+        return thud_text_print(&text, err);
     find_guesses(&text, &guesses);
     status = thud_text_write(&text, path, err);
     if (status == THUD_OK && !thud_args_has(args, "quiet"))

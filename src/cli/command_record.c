@@ -20,7 +20,7 @@
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *text, struct thud_error *err)
 {
     const char *path = thud_args_value(args, "o");
-    return path && strcmp(path, "-") != 0 ? thud_text_write(text, path, err) : thud_cli_print_data(text, err);
+    return path && strcmp(path, "-") != 0 ? thud_text_write(text, path, err) : thud_text_print(text, err);
 }
 
 static enum thud_status need_files(const struct thud_args *args, const char *verb, int most, struct thud_error *err)

@@ -4,6 +4,7 @@
 #include "app/verify/verify_preset.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "io/file/file.h"
 #include "io/file/paths.h"
 #include "io/result/list_rows.h"
 
@@ -29,7 +30,7 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_verifi
     for (int i = 0; i <= THUD_GONE; i++)
         total->count[i] += v->count[i];
     thud_progress_wipe();
-    enum thud_status status = (total->data ? thud_cli_print_data : thud_cli_print)(&text, err);
+    enum thud_status status = (total->data ? thud_text_print : thud_cli_print)(&text, err);
     if (status != THUD_OK || !v->update)
         return status;
     status = thud_verify_write(v, err);
@@ -80,7 +81,7 @@ static enum thud_status finish(const struct thud_args *args, struct total *total
             thud_text_append(&text, "; %d could not be verified", total->refused);
         thud_text_append(&text, "\n");
     }
-    enum thud_status status = (total->data ? thud_cli_print_data : thud_cli_print)(&text, err);
+    enum thud_status status = (total->data ? thud_text_print : thud_cli_print)(&text, err);
     if (status != THUD_OK || total->status != THUD_OK)
         return status != THUD_OK ? status : total->status;
     return wrong > 0 && !thud_args_has(args, "update") ? THUD_CHECK : THUD_OK;
@@ -108,7 +109,7 @@ static enum thud_status published(const struct thud_args *args, struct thud_erro
         thud_published_put(result, json, &text);
     else
         thud_published_table(result, &text);
-    status = (data ? thud_cli_print_data : thud_cli_print)(&text, err);
+    status = (data ? thud_text_print : thud_cli_print)(&text, err);
     return status == THUD_OK && thud_published_wrong(result) > 0 ? THUD_CHECK : status;
 }
 
@@ -135,7 +136,7 @@ enum thud_status thud_command_verify(const struct thud_args *args, struct thud_e
     enum thud_status status = THUD_OK;
     if (total.data) {
         thud_list_begin(&total.list, "presets");
-        status = thud_cli_print_data(&text, err);
+        status = thud_text_print(&text, err);
     }
     thud_progress_start(args);
     for (int i = 0; i < n && status == THUD_OK; i++) {

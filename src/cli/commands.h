@@ -17,11 +17,9 @@
 #include "cli/command_words.h"
 #undef THUD_COMMAND
 
-/* Writes the text to standard output and clears it: without what a terminal would obey in place of showing it. Errors:
+/* Writes the text to standard output and clears it: without what a terminal would obey in place of showing it. See thud_text_print. Errors:
  * THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err);
-/* Rows and objects for another program: byte for byte, but on a terminal as above. */
-enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *err);
 
 /* By --json and --csv. */
 enum thud_written thud_cli_form(const struct thud_args *args);

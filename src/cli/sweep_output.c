@@ -2,6 +2,7 @@
 
 #include "app/sweep/fragility_report.h"
 #include "cli/commands.h"
+#include "io/file/file.h"
 #include "io/result/result_rows.h"
 #include "io/result/sweep_csv.h"
 
@@ -29,7 +30,7 @@ enum thud_status thud_sweep_output_point(void *context, const struct thud_sweep_
         thud_sweep_csv_rows(o->plan, THUD_SWEEP_CSV_FLOORS, point, &o->text);
     else
         thud_sweep_json_rows(o->plan, point, &o->row, &o->text);
-    return thud_cli_print_data(&o->text, err);
+    return thud_text_print(&o->text, err);
 }
 
 enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, const struct thud_remark_scope *scope,
@@ -50,5 +51,5 @@ enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, const s
         if (status != THUD_OK)
             return status;
     }
-    return thud_cli_print_data(&output->text, err);
+    return thud_text_print(&output->text, err);
 }

@@ -61,3 +61,13 @@ is "its log does it again" gives 0 --play once
 is "to the same bytes" cmp -s mine.yaml first.yaml
 is "with the same force" [ "$("$THUD" run mine.yaml --case none --json 2>err | force)" = "$first" ]
 is "and not over what is there" gives 3 --play once
+
+# what is printed goes onto a full disk
+if [ -w /dev/full ]; then
+    printf 'open towers\n' >plain
+    "$THUD" --play plain >/dev/full 2>err
+    is "a full standard output: exit status 6" [ $? -eq 6 ]
+    is "with the system's reason" grep -q '^thud: standard output: No space left on device$' err
+else
+    echo "ok - a full standard output: exit status 6 # SKIP no /dev/full"
+fi

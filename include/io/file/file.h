@@ -54,6 +54,9 @@ void thud_file_drop(struct thud_file_draft *draft);
 
 /* Writes the whole text by thud_file_write and clears it; THUD_MEMORY if it had failed. */
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err);
+/* Writes it to standard output and clears it: byte for byte, but on a terminal as thud_text_shown. Errors: THUD_OUTPUT,
+ * THUD_MEMORY. */
+enum thud_status thud_text_print(struct thud_text *text, struct thud_error *err);
 
 /* Writes the whole text as a result, FOLDER/NAME ("": the working folder), and clears it; after a failure in `before`
  * it writes nothing and returns that. Errors: also THUD_OUTPUT for a name that is too long. */

@@ -210,3 +210,16 @@ enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder
         thud_rows_csv(rows, &text);
     return thud_text_save(&text, folder, rows->schema->name, before, err);
 }
+
+enum thud_status thud_text_print(struct thud_text *text, struct thud_error *err)
+{
+    if (text->data && isatty(STDOUT_FILENO))
+        text->size = thud_text_shown(text->data, "\n\t");
+    enum thud_status status = THUD_OK;
+    if (text->failed)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    else if (text->size > 0 && (fwrite(text->data, 1, text->size, stdout) != text->size || fflush(stdout) != 0))
+        status = thud_error_set(err, THUD_OUTPUT, "standard output: %s", strerror(errno));
+    thud_text_clear(text);
+    return status;
+}

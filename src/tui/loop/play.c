@@ -103,11 +103,9 @@ enum thud_status thud_tui_play(const struct thud_tui_options *options, struct th
         return status;
     thud_tui_normal(tui); /* neither a form nor a question */
     status = thud_tui_play_lines(tui, options->play, &out, err);
-    if (out.failed && status == THUD_OK)
-        status = thud_error_set(err, THUD_MEMORY, "no memory for what is printed");
-    if (out.data && (fputs(out.data, stdout) == EOF || fflush(stdout) == EOF) && status == THUD_OK)
-        status = thud_error_set(err, THUD_OUTPUT, "standard output cannot be written");
-    thud_text_clear(&out);
+    enum thud_status printed = thud_text_print(&out, status == THUD_OK ? err : NULL);
+    if (status == THUD_OK)
+        status = printed;
     thud_tui_free(tui);
     return status;
 }
