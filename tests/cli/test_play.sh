@@ -62,7 +62,7 @@ is "to the same bytes" cmp -s mine.yaml first.yaml
 is "with the same force" [ "$("$THUD" run mine.yaml --case none --json 2>err | force)" = "$first" ]
 is "and not over what is there" gives 3 --play once
 
-# what is printed goes onto a full disk
+# what is printed goes onto a full disk, and a session may be long
 if [ -w /dev/full ]; then
     printf 'open towers\n' >plain
     "$THUD" --play plain >/dev/full 2>err
@@ -71,3 +71,6 @@ if [ -w /dev/full ]; then
 else
     echo "ok - a full standard output: exit status 6 # SKIP no /dev/full"
 fi
+{ cat plain && yes '# an afternoon of changes' | head -50000 && echo 'set gap 11 cm'; } >long
+is "a session over 1 MiB is played" gives 0 --play long
+is "to its end" shows '^POUNDS at 11 cm'

@@ -8,7 +8,7 @@
 #include "tui/loop/verdict.h"
 #include "tui/terminal/canvas_svg.h"
 
-enum { WIDTH = 100, HEIGHT = 40, BYTES_MAX = 1 << 20 };
+enum { WIDTH = 100, HEIGHT = 40, BYTES_MAX = 1 << 30 };
 
 /* Works until nothing is left to do. */
 static void finish_work(struct thud_tui *tui)
