@@ -3,6 +3,8 @@
 #include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <sys/types.h>
+#include <unistd.h>
 
 #include "io/file/file.h"
 
@@ -17,7 +19,11 @@ static void note(int number)
         caught = number;
         return;
     }
+    static const char said[] =
+        "thud: stopped; no file is half written (a study with -o DIR goes on by the same command)\n";
     thud_file_drop_all();
+    const ssize_t written = write(STDERR_FILENO, said, sizeof said - 1); /* stdio is not for a handler */
+    (void)written;
     signal(number, SIG_DFL);
     raise(number); /* comes once this handler has returned */
 }

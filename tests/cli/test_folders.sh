@@ -72,6 +72,18 @@ is "a file beyond ulimit -f: exit status 6" [ $? -eq 6 ]
 is "with a message" says "cannot be written: File too large"
 is "and nothing half written" [ -z "$(find "$tmp/limited" -name '*.part')" ]
 
+# stopped while it reads its preset: a pipe takes this much only from a writer whose reader reads
+mkfifo "$tmp/pipe"
+"$THUD" sweep - --vary gap=5cm:40cm:0.5cm -o "$tmp/early" <"$tmp/pipe" >"$tmp/out" 2>"$tmp/err" &
+pid=$!
+exec 3>"$tmp/pipe"
+yes '# a comment' | head -c 100000 >&3
+kill -TERM $pid
+wait $pid
+is "a study stopped before its first run ends so" [ $? -eq 143 ]
+exec 3>&-
+is "and says so, with how it goes on" says '^thud: stopped; .*goes on by the same command'
+
 # a second interrupt while the first one is cleaned up after (make soak: 200 tries)
 left=0
 others=0
