@@ -127,7 +127,7 @@ enum thud_status thud_set(struct thud *scene, const char *key, const char *text,
     if (strcmp(key, "record.file") == 0 && strcmp(text, scene->session.scene.record.file) != 0)
         thud_session_choose_record(&scene->session, text);
     locale_t before = thud_threads_numbers();
-    status = thud_scene_set(&scene->session.scene, key, text, err);
+    status = thud_session_set(&scene->session, key, text, err);
     thud_threads_numbers_back(before);
     return status;
 }

@@ -54,6 +54,7 @@ edit "wrong nesting" 's/^    contact:/    contact: 5/' "bad.yaml:"
 edit "a value where keys are wanted" '/^study:/,$d; s/^analysis:/analysis: fast/; /^  method/d; /^  tolerance/d; /^  tail/d' "bad.yaml:$(line '^analysis'):11: analysis: keys with values are expected here"
 edit "tab" 's/^  file:/\tfile:/' "bad.yaml:$(line '  file:'):1: a tab is not allowed here (spaces)"
 edit "missing interface" '/^interfaces:/,/unloading/d' "bad.yaml:"
+edit "a word that is no event" 's/^study:/study:\n  events: [pounding, foo]/' "bad.yaml:$(($(line '^study') + 1)):11: study.events: \"foo\" is not an event (pounding, force:5MN,"
 edit "no ground motion of that name" 's/file: kobe-surrogate.csv/file: kobe-surogate.csv/' "bad.yaml:$(line '  file:'):9: record.file: no ground motion \"kobe-surogate.csv\"; did you mean \"kobe-surrogate.csv\"?"
 
 : >bad.yaml

@@ -135,7 +135,7 @@ is "words of every list${wrong:+:$wrong}" [ -z "$wrong" ]
 wrong=""
 while read -r key; do
     case $key in # whatever the key, a value that is none is refused for its own sake, not because the key is unknown
-    record.file | record.component | record.event | record.station | record.licence | title | *.name | source | *.source | study.vary | study.records | study.events | links.1.sl[ai]* | document.*) continue ;; # any text will do, or it is a list of keys itself
+    record.file | record.component | record.event | record.station | record.licence | title | *.name | source | *.source | study.vary | study.records | links.1.sl[ai]* | document.*) continue ;; # any text will do, or it is a list of keys itself
     esac
     preset=towers
     case $key in # of buildings by matrix and by modes, and of scenes with links

@@ -361,7 +361,7 @@ printf 'study:\n  vary: gap\n  values: [5 cm, 9 cm]\n  cases: [none]\n  events: 
 sed '/^study:/,$d' presets/towers.yaml | cat - "$tmp/study" >"$tmp/events.yaml"
 is "a preset names its events" gives 0 fragility "$tmp/events.yaml" --records "$three" --csv --quiet
 is "which are counted, and no others" test "$(cut -d, -f1 "$tmp/out" | sed 1d | uniq | tr '\n' ' ')" = "drift:1 % pounding "
-is "refused: an unknown event of a preset" gives 2 fragility "$tmp/events.yaml" --records "$three" --set study.events=flood
+is "refused: an unknown event of a preset" gives 3 fragility "$tmp/events.yaml" --records "$three" --set study.events=flood
 is "refused: an event of which no run has a value" gives 2 fragility towers --records "$three" --vary gap=5cm,10cm --cases none --event column:1
 is "by its name" says '^thud: --event column:1: no run of this study has a value for it: '
 is "before any run" sh -c "! grep -q 'runs:' '$tmp/err'"

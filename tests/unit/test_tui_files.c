@@ -1152,6 +1152,9 @@ START_TEST(what_is_wrong_is_said)
     snprintf(keys, sizeof keys, ":bumper 1%80sboth<Enter>", ""); /* nor is the end of a long line cut */
     fixture_keys(&f, keys);
     fixture_expect(&f, "[INTERFACE], counted from 1");
+    fixture_keys(&f, ":events pounding, shaking<Enter>");
+    fixture_expect(&f, "\"shaking\" is not an event (pounding,");
+    ck_assert_str_eq(scene()->study.events, "");
     fixture_keys(&f, ":bumper both<Enter>"); /* nothing is done that was not asked for */
     fixture_expect(&f, "bumper [INTERFACE], counted from 1");
     fixture_keys(&f, ":swap 1 3<Enter>");

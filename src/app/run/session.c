@@ -8,6 +8,7 @@
 #include "base/scan.h"
 #include "io/record/record_component.h"
 #include "study/scene/needed_gap.h"
+#include "study/suite/fragility.h"
 
 static enum thud_status open_session(struct thud_session *session, const char *preset, bool unfinished,
                                      struct thud_error *err)
@@ -55,6 +56,13 @@ void thud_session_close(struct thud_session *session)
     session->record = session->given = NULL;
 }
 
+enum thud_status thud_session_set(struct thud_session *session, const char *key, const char *text,
+                                  struct thud_error *err)
+{
+    enum thud_status status = thud_scene_set(&session->scene, key, text, err);
+    return status == THUD_OK ? thud_events_check(&session->scene, err) : status;
+}
+
 enum thud_status thud_session_assign(struct thud_session *session, const char *assignment, struct thud_error *err)
 {
     const char *sign = strchr(assignment, '=');
@@ -63,7 +71,7 @@ enum thud_status thud_session_assign(struct thud_session *session, const char *a
         return thud_error_refuse(err, THUD_USAGE, NULL, "KEY=VALUE, e.g. gap=12cm", "\"%.100s\" changes nothing",
                                  assignment);
     snprintf(key, sizeof key, "%.*s", (int)(sign - assignment), assignment);
-    return thud_scene_set(&session->scene, key, sign + 1, err);
+    return thud_session_set(session, key, sign + 1, err);
 }
 
 /* Links are counted as they were before one is taken away. */

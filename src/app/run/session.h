@@ -27,6 +27,9 @@ enum thud_status thud_session_parse(struct thud_session *session, const char *te
                                     struct thud_error *err);
 void thud_session_close(struct thud_session *session);
 
+/* Errors: THUD_INPUT with key and what is allowed. */
+enum thud_status thud_session_set(struct thud_session *session, const char *key, const char *text,
+                                  struct thud_error *err);
 /* KEY=VALUE. Errors: THUD_USAGE without a `=`, THUD_INPUT with key and what is allowed. */
 enum thud_status thud_session_assign(struct thud_session *session, const char *assignment, struct thud_error *err);
 /* The same for several that are taken together: in whatever order they stand, but for one key given twice, they mean

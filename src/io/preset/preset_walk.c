@@ -8,6 +8,7 @@
 #include "base/scan.h"
 #include "io/building/building_file.h"
 #include "io/preset/preset_private.h"
+#include "study/suite/fragility.h"
 
 enum { PATH_BYTES = 128, KEY_BYTES = 60 };
 
@@ -41,6 +42,8 @@ static enum thud_status set_text(struct thud_preset *preset, const char *path, i
                                  struct thud_error *err)
 {
     enum thud_status status = thud_scene_set(&preset->scene, path, text, err);
+    if (status == THUD_OK)
+        status = thud_events_check(&preset->scene, err);
     return status == THUD_OK ? THUD_OK : place_at_node(preset, node, status, err);
 }
 

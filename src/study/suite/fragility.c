@@ -324,6 +324,18 @@ enum thud_status thud_events_parse(const char *list, struct thud_event *out, int
     return status;
 }
 
+enum thud_status thud_events_check(const struct thud_scene *scene, struct thud_error *err)
+{
+    struct thud_event event[THUD_EVENTS_MAX];
+    int n;
+    if (thud_events_parse(scene->study.events, event, &n, err) == THUD_OK)
+        return THUD_OK;
+    thud_error_key(err, "study.events");
+    if (err)
+        err->status = THUD_INPUT;
+    return THUD_INPUT;
+}
+
 /* Whether an intensity makes it more likely, or a gap pounding less. Floor accelerations and permanent drifts go up and
  * down, and so does what a bumper makes of them. */
 static bool is_monotone(enum thud_measure measure, const struct thud_sweep_axis *axis)

@@ -12,6 +12,7 @@
 #include "io/file/file.h"
 #include "io/record/record_file.h"
 #include "study/scene/solution.h"
+#include "study/suite/fragility.h"
 #include "tui/document/doc.h"
 #include "tui/widgets/form.h"
 
@@ -77,8 +78,6 @@ enum thud_status thud_doc_new(struct thud_doc *doc, const char *text, size_t siz
     enum thud_status status = thud_preset_parse(text, size, path, &preset, err);
     if (status == THUD_OK)
         status = thud_scene_check(thud_preset_scene(preset), err);
-    else
-        return status;
     if (status != THUD_OK) {
         thud_preset_free(preset);
         return status;
@@ -180,6 +179,8 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
                                  struct thud_error *err)
 {
     enum thud_status status = thud_scene_check(next, err);
+    if (status == THUD_OK)
+        status = thud_events_check(next, err);
     if (status == THUD_OK)
         status = thud_undo_note(&doc->undo, &doc->scene, next, what, err);
     if (status != THUD_OK)
