@@ -18,6 +18,7 @@ static const unsigned long long family[] = {
     SCENES_LINKS,
     SCENES_MATRICES,
     SCENES_ISOLATORS,
+    SCENES_SOIL,
     SCENES_MIXED,
 };
 enum { FAMILIES = sizeof family / sizeof *family };
