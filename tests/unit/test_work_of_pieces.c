@@ -38,13 +38,13 @@ static void tear_down(struct fixture *f)
     thud_record_free(f->record);
 }
 
-/* A piece of a random length, up to 1.5 rad of the fastest mode, with forces on two of the contacts whose orders are
+/* A piece of a random length, up to `longest` rad of the fastest mode, with forces on two of the contacts whose orders are
  * each `decay` times the one before. */
-static double begin_random(struct fixture *f, struct thud_segment *seg, double decay)
+static double begin_random(struct fixture *f, struct thud_segment *seg, double longest, double decay)
 {
     struct thud_state *state = &f->m.run->state;
     const struct thud_model *m = f->model;
-    double angle = 0.05 + 1.45 * rand() / RAND_MAX, force = 1e6 * rand() / RAND_MAX;
+    double angle = 0.05 + (longest - 0.05) * rand() / RAND_MAX, force = 1e6 * rand() / RAND_MAX;
     for (int j = 0; j < m->nmodes; j++) {
         state->qd[j] = 100 * random_part();
         state->q[j] = m->omega[j] > 0 ? 100 * random_part() / m->omega[j] : 0;
@@ -71,7 +71,7 @@ START_TEST(few_terms_leave_out_what_they_may)
     const int n = f.model->nmodes;
     int fewest = THUD_SEGMENT_TERMS;
     for (int i = 0; i < SCENES; i++) {
-        double angle = begin_random(&f, seg, 0.3), size = 0, apart = 0, speed = 0; /* that the forces could give */
+        double angle = begin_random(&f, seg, 1.5, 0.3), size = 0, apart = 0, speed = 0; /* that the forces could give */
         for (int c = 0; c < 2; c++)
             for (int k = 0; k < ORDERS; k++)
                 speed += seg->h_s * fabs(seg->force[k * f.model->nrows + c]) *
@@ -105,7 +105,7 @@ START_TEST(every_order_keeps_to_the_equations_of_motion)
     struct thud_segment *seg = &f.m.run->seg;
     const struct thud_model *m = f.model;
     for (int i = 0; i < 20; i++) {
-        begin_random(&f, seg, 1);
+        begin_random(&f, seg, 1.5, 1);
         seg->terms = THUD_SEGMENT_TERMS;
         thud_taylor_given(m, seg, f.m.run->state.q, f.m.run->state.qd);
         for (double s = 0.1; s < 1; s += 0.2) {
@@ -164,7 +164,7 @@ START_TEST(works_are_right_to_rounding)
     struct thud_run *run = f.m.run;
     const struct thud_model *m = f.model;
     for (int i = 0; i < SCENES; i++) {
-        begin_random(&f, &run->seg, 1);
+        begin_random(&f, &run->seg, 1.5, 1);
         run->seg.terms = THUD_SEGMENT_TERMS;
         thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
         const double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX;
@@ -177,6 +177,36 @@ START_TEST(works_are_right_to_rounding)
             ck_assert_double_le(fabs(input - want_input) + fabs(viscous - want_viscous),
                                 1e-13 * (fabs(want_input) + want_viscous));
         }
+    }
+    tear_down(&f);
+}
+END_TEST
+
+/* So are those of pieces that turn as far as a series goes, of the terms that they need; and in a step of few nodes, far
+ * within its tolerance. */
+START_TEST(works_are_right_where_a_piece_turns_far)
+{
+    struct fixture f;
+    double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX], input, viscous, want_input, want_viscous;
+    set_up(&f, _i);
+    struct thud_run *run = f.m.run;
+    const struct thud_model *m = f.model;
+    for (int i = 0; i < SCENES; i++) {
+        const bool coarse = i % 2;
+        const struct thud_segment_nodes nodes = {.count = 4 + i / 2 % 3};
+        const double angle = begin_random(&f, &run->seg, THUD_SEGMENT_ANGLE, 1), tolerance = coarse ? 1e-6 : 1e-12;
+        if (angle < 2.2)
+            continue;
+        thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
+        thud_segment_state(&run->seg, m->nmodes, 1, q, qd);
+        run->seg.nodes = coarse ? &nodes : NULL;
+        run->state.tolerance = tolerance;
+        const struct thud_observation o = {.state = &run->state, .seg = &run->seg, .s = 1, .q = q, .qd = qd};
+        many_points(m, &run->seg, 1, &want_input, &want_viscous);
+        thud_ledger_structure_work(&run->ledger, &o, &input, &viscous);
+        run->seg.nodes = NULL;
+        ck_assert_double_le(fabs(input - want_input) + fabs(viscous - want_viscous),
+                            tolerance * (fabs(want_input) + want_viscous));
     }
     tear_down(&f);
 }
@@ -210,7 +240,7 @@ START_TEST(no_event_is_passed_over)
     struct thud_run *run = f.m.run;
     const struct thud_model *m = f.model;
     for (int i = 0; i < SCENES; i++) {
-        begin_random(&f, &run->seg, 0.3);
+        begin_random(&f, &run->seg, 1.5, 0.3);
         double place = 5 * pow(10, -2.0 * rand() / RAND_MAX); /* the slower, the fewer events */
         for (int j = 0; j < m->nmodes; j++) {
             run->state.q[j] *= place;
@@ -254,7 +284,7 @@ START_TEST(work_in_a_contact_is_that_of_its_law)
     const struct thud_model *m = f.model;
     double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX];
     for (int i = 0; i < SCENES; i++) {
-        begin_random(&f, &run->seg, 0);
+        begin_random(&f, &run->seg, 1.5, 0);
         run->seg.terms = THUD_SEGMENT_TERMS;
         thud_taylor_given(m, &run->seg, run->state.q, run->state.qd);
         double s = i % 2 ? 1 : 0.3 + 0.7 * rand() / RAND_MAX, want = 0, scale = 0, slope;
@@ -282,6 +312,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(t, few_terms_leave_out_what_they_may, 0, 2);
     tcase_add_loop_test(t, every_order_keeps_to_the_equations_of_motion, 0, 2);
     tcase_add_loop_test(t, works_are_right_to_rounding, 0, 2);
+    tcase_add_loop_test(t, works_are_right_where_a_piece_turns_far, 0, 2);
     tcase_add_loop_test(t, no_event_is_passed_over, 0, 2);
     tcase_add_loop_test(t, work_in_a_contact_is_that_of_its_law, 0, 2);
     suite_add_tcase(s, t);

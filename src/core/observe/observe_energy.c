@@ -14,8 +14,9 @@
 #include "core/numerics/vec.h"
 #include "core/observe/contact_work.h"
 
-enum { LOOKS_APART = 64 };       /* segments and blocks between two looks at the balance */
-static const double fine = 1e-7; /* tolerance below which works are summed to rounding */
+enum { LOOKS_APART = 64 };         /* segments and blocks between two looks at the balance */
+static const double fine = 1e-7;   /* tolerance below which works are summed to rounding */
+static const double far_rad = 2.1; /* what a piece may turn by with those points; above, it takes more */
 
 /* Structures. The power of damping and of the ground is integrated by the few points of a stepping method's cubic, else
  * by those that leave rounding alone; the rates at both ends of the piece are known. */
@@ -77,10 +78,10 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
-    const int last = THUD_LOBATTO_RULES - 1, degree = 2 * (seg->terms - 2);
-    const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[0].order ? 0 : last];
+    const int far = o->state->fastest_radps * o->s * seg->h_s > far_rad, degree = 2 * (seg->terms - 2);
+    const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[0].order ? 0 : THUD_LOBATTO_RULES - 2 + far];
     if (seg->nodes && o->state->tolerance >= fine) /* as good as the step */
-        by = thud_lobatto_of(seg->nodes->count);
+        by = far ? by - 1 : thud_lobatto_of(seg->nodes->count);
     const struct thud_rate_powers *power = &l->power[by - thud_lobatto];
     double loss, drive;
     if (by->inner == 2)
@@ -89,8 +90,10 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
         add_modes(o, by, power, 3, l->rates, &loss, &drive);
     else if (by->inner == 5)
         add_modes(o, by, power, 5, l->rates, &loss, &drive);
+    else if (!far)
+        add_modes(o, by, power, 8, l->rates, &loss, &drive);
     else
-        add_modes(o, by, power, THUD_LOBATTO_INNER, l->rates, &loss, &drive);
+        add_modes(o, by, power, by->inner, l->rates, &loss, &drive);
     for (int i = 0; i < by->inner && m->couples; i++)
         loss += by->weight[i] * coupled_loss(m, l->rates + i * m->nmodes);
     if (m->couples)
