@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "march.h"
 #include "remarks.h"
+#include "scenes.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/solution.h"
@@ -467,6 +468,26 @@ START_TEST(struck_columns_turn_with_the_building)
 }
 END_TEST
 
+/* No mode moves a struck place by more than its bound of all places, from which it is told where a contact cannot close. */
+START_TEST(struck_columns_keep_to_the_bounds_of_the_modes)
+{
+    for (unsigned long long seed = SCENES_SOIL; seed < SCENES_SOIL + 200; seed++) {
+        struct scenes_one one;
+        struct thud_model *m = NULL;
+        scenes_draw(&one, seed);
+        ck_assert_int_eq(thud_scene_assemble(&one.scene, &m, NULL), THUD_OK);
+        for (int c = 0; c < m->ncontacts; c++)
+            for (int right = 0; right < 2; right++) {
+                const struct thud_model_side *side = right ? &m->contact[c].right : &m->contact[c].left;
+                for (int j = 0; j < side->modes; j++)
+                    ck_assert_double_le(fabs(side->row[j]), m->mode_max[side->first_mode + j]);
+            }
+        thud_model_free(m);
+        scenes_clear(&one);
+    }
+}
+END_TEST
+
 /* theta = W d/(V h) with the drift on which the weight acts, out of histories in steps of half a millisecond. */
 START_TEST(stability_coefficient_of_histories)
 {
@@ -572,6 +593,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, stability_coefficient_of_histories, 0, 2);
     tcase_add_test(tcase, collapses_by_its_rotation);
     tcase_add_loop_test(tcase, struck_columns_turn_with_the_building, 0, 3);
+    tcase_add_test(tcase, struck_columns_keep_to_the_bounds_of_the_modes);
     tcase_set_timeout(tcase, 60);
     suite_add_tcase(suite, tcase);
     return suite;

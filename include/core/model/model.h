@@ -162,7 +162,7 @@ struct thud_model {
     double *mass_kg;                        /* (ndof); of a rotation, I/H^2 */
     double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
     double *spring, *dashpot;               /* (nmodes): omega^2 and 2 zeta omega */
-    double *mode_max;         /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
+    double *mode_max;         /* (2 x nmodes): largest part of each mode in a place's displacement, and in a drift */
     double *jacobian;         /* (nrows x nmodes): contact Jacobian, rows g_c */
     double *delassus;         /* (nrows x nrows): Delassus matrix g_a . g_b, 1/kg */
     double *q0, *qd0;         /* (nmodes) at t = 0 */

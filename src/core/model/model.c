@@ -357,6 +357,8 @@ static struct thud_model_side column_side(const struct thud_model *m, struct thu
     const struct thud_model_structure *of = &m->structure[side.structure];
     if (of->rise)
         tilt_side(m, &side, struck->a_m / of->arm_m - h * of->rise[dof - of->first], row);
+    for (int j = 0; j < side.modes; j++) /* with a turn, it may move more than any floor */
+        m->mode_max[side.first_mode + j] = fmax(m->mode_max[side.first_mode + j], fabs(row[j]));
     side.row = row;
     return side;
 }
