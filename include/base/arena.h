@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/status.h"
+
 struct thud_arena {
     char *next, *end;
 };
@@ -15,3 +17,18 @@ size_t thud_arena_room(size_t count, size_t size);
 bool thud_arena_open(struct thud_arena *arena, size_t bytes);
 /* Returns the next piece, aligned to 16 bytes. */
 void *thud_arena_take(struct thud_arena *arena, size_t count, size_t size);
+
+/* Pieces of a block: where the pointer to each stands, and how many elements it has. */
+struct thud_piece {
+    void *pointer;
+    size_t count, size;
+};
+#define THUD_PIECE(pointer, count)                                                                                     \
+    {                                                                                                                  \
+        &(pointer), (size_t)(count), sizeof *(pointer)                                                                 \
+    }
+
+/* Allocates the pieces, up to one without a pointer, as one block, all 0, and sets their pointers. The block begins with
+ * the first piece: free of that pointer frees all. Errors: THUD_MEMORY, and the pointers are NULL. */
+enum thud_status thud_arena_lay(const struct thud_piece *piece, struct thud_error *err);
+#define THUD_LAY(err, ...) thud_arena_lay((const struct thud_piece[]){__VA_ARGS__, {NULL, 0, 0}}, err)

@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 #if defined __SANITIZE_ADDRESS__
 #define POISONS 1
@@ -45,4 +46,18 @@ void *thud_arena_take(struct thud_arena *arena, size_t count, size_t size)
     assert(arena->next <= arena->end);
     ASAN_POISON_MEMORY_REGION(piece + count * size, (size_t)(arena->next - piece) - count * size);
     return piece;
+}
+
+enum thud_status thud_arena_lay(const struct thud_piece *piece, struct thud_error *err)
+{
+    struct thud_arena arena;
+    size_t bytes = 0;
+    for (const struct thud_piece *p = piece; p->pointer; p++)
+        bytes += thud_arena_room(p->count, p->size);
+    const bool opened = thud_arena_open(&arena, bytes);
+    for (; piece->pointer; piece++) {
+        const void *at = opened ? thud_arena_take(&arena, piece->count, piece->size) : NULL;
+        memcpy(piece->pointer, &at, sizeof at); /* all pointers to objects look alike */
+    }
+    return opened ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }

@@ -228,6 +228,13 @@ START_TEST(pieces_of_a_block)
     }
     ck_assert_ptr_eq(arena.next, arena.end);
     free(piece[0]);
+    double *first, *none;
+    int *last;
+    ck_assert_int_eq(THUD_LAY(NULL, THUD_PIECE(first, 3), THUD_PIECE(none, 0), THUD_PIECE(last, 5)), THUD_OK);
+    ck_assert(none >= first + 3 && (void *)last >= (void *)none);
+    for (int i = 0; i < 5; i++)
+        ck_assert(last[i] == 0 && (i >= 3 || first[i] == 0));
+    free(first);
 }
 END_TEST
 

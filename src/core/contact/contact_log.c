@@ -5,16 +5,15 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "core/contact/storey.h"
 
 enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
                                        bool keep_impacts, struct thud_error *err)
 {
     *log = (struct thud_contact_log){.contact = contact, .keep_impacts = keep_impacts};
-    log->now = calloc((size_t)ncontacts + 1, sizeof *log->now);
-    log->counted = calloc((size_t)ncontacts + 1, sizeof *log->counted);
-    log->waiting_s = calloc((size_t)ncontacts + 1, sizeof *log->waiting_s);
-    return log->now && log->counted && log->waiting_s ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    return THUD_LAY(err, THUD_PIECE(log->now, ncontacts), THUD_PIECE(log->counted, ncontacts),
+                    THUD_PIECE(log->waiting_s, ncontacts));
 }
 
 void thud_contact_log_begin(struct thud_contact_log *log, int contact, double time_s, double approach_mps)
@@ -103,7 +102,5 @@ void thud_contact_log_clear(struct thud_contact_log *log)
     free(log->impact);
     free(log->event);
     free(log->now);
-    free(log->waiting_s);
-    free(log->counted);
     *log = (struct thud_contact_log){0};
 }

@@ -21,25 +21,14 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
     bool impulsive = false;
     for (int c = 0; c < model->ncontacts; c++)
         impulsive |= (model->contact[c].law->flags & THUD_LAW_IMPULSIVE) != 0;
-    size_t collide = impulsive ? 4 * nc + nc * nc + thud_lcp_work((int)nc) : 0;
-    struct thud_arena arena;
-    const size_t length[] = {n, n, n + nc, nc, nc * nc + thud_lcp_work((int)nc), collide};
-    size_t bytes = 0;
-    for (int i = 0; i < 6; i++)
-        bytes += thud_arena_room(length[i], sizeof(double));
-    const bool room = thud_arena_open(&arena, bytes);
-    state->block = arena.next;
-    state->contact = calloc((size_t)model->ncontacts + 1, sizeof *state->contact);
-    state->storey = calloc((size_t)model->nstoreys + 1, sizeof *state->storey);
-    state->set_now = calloc(2 * nc + 1, sizeof *state->set_now);
-    state->powers = calloc(1, sizeof *state->powers);
-    if (!room || !state->contact || !state->storey || !state->set_now || !state->powers) {
-        thud_state_clear(state);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    double **array[] = {&state->q, &state->qd, &state->free_mps2, &state->force_now, &state->delassus, &state->collide};
-    for (int i = 0; i < 6; i++)
-        *array[i] = thud_arena_take(&arena, length[i], sizeof(double));
+    const size_t work_size = nc * nc + thud_lcp_work((int)nc);
+    const enum thud_status status = THUD_LAY(
+        err, THUD_PIECE(state->q, n), THUD_PIECE(state->qd, n), THUD_PIECE(state->free_mps2, n + nc),
+        THUD_PIECE(state->force_now, nc), THUD_PIECE(state->delassus, work_size),
+        THUD_PIECE(state->collide, impulsive ? 4 * nc + work_size : 0), THUD_PIECE(state->contact, model->ncontacts),
+        THUD_PIECE(state->storey, model->nstoreys), THUD_PIECE(state->set_now, 2 * nc), THUD_PIECE(state->powers, 1));
+    if (status != THUD_OK)
+        return status;
     memcpy(state->q, model->q0, n * sizeof *state->q);
     memcpy(state->qd, model->qd0, n * sizeof *state->qd);
     return THUD_OK;
@@ -47,11 +36,7 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
 
 void thud_state_clear(struct thud_state *state)
 {
-    free(state->block);
-    free(state->contact);
-    free(state->storey);
-    free(state->set_now);
-    free(state->powers);
+    free(state->q);
     *state = (struct thud_state){0};
 }
 

@@ -89,7 +89,6 @@ struct thud_state {
     struct thud_powers *powers; /* of one exponent that is none of the published ones, once a branch has it */
     double *force_now;          /* (nrows) workspace of the functions that switch a contact */
     double *delassus;           /* (nrows x nrows), and as much as thud_lcp_work asks for: workspace of state.c */
-    void *block;
 };
 
 /* All at t = 0, open, with the model's initial motion. `end_s`, `grid_dt_s` and what is asked of a method are the

@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/largest.h"
 #include "core/contact/segment.h"
 #include "core/numerics/tolerance.h"
@@ -23,32 +24,23 @@
 
 enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
 {
-    size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
-           terms = THUD_SEGMENT_TERMS;
+    const size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
+                 terms = THUD_SEGMENT_TERMS;
+    struct thud_segment_notes notes;
     *seg = (struct thud_segment){0};
-    seg->block = calloc((terms + 2) * n + 2 * terms * nc + 3 * ns + 1, sizeof *seg->block);
-    seg->row = calloc(2 * nc + 1, sizeof *seg->row);
-    struct thud_segment_notes *notes = seg->notes = calloc(1, sizeof *notes);
-    if (!seg->block || !seg->row || !notes) {
-        thud_segment_clear(seg);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    notes->cached = seg->row + nc;
-    seg->q = seg->block;
-    notes->bound = seg->q + terms * n;
-    seg->force = notes->bound + 2 * n;
-    notes->indentation = seg->force + terms * nc;
-    notes->floors = notes->indentation + terms * nc;
-    notes->drifts = notes->floors + ns;
-    notes->thirds = notes->drifts + ns;
-    return THUD_OK;
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(seg->q, terms * n), THUD_PIECE(notes.bound, 2 * n), THUD_PIECE(seg->force, terms * nc),
+                 THUD_PIECE(notes.indentation, terms * nc), THUD_PIECE(notes.floors, ns), THUD_PIECE(notes.drifts, ns),
+                 THUD_PIECE(notes.thirds, ns), THUD_PIECE(seg->row, nc), THUD_PIECE(notes.cached, nc),
+                 THUD_PIECE(seg->notes, 1));
+    if (status == THUD_OK)
+        *seg->notes = notes;
+    return status;
 }
 
 void thud_segment_clear(struct thud_segment *seg)
 {
-    free(seg->block);
-    free(seg->row);
-    free(seg->notes);
+    free(seg->q);
     *seg = (struct thud_segment){0};
 }
 

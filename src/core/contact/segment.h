@@ -60,7 +60,6 @@ struct thud_segment {
 
     int rows, *row; /* (rows) those that may have a force, but for a stepping method: set where it begins */
     struct thud_segment_notes *notes;
-    double *block;
 };
 
 /* A segment of no length. Errors: THUD_MEMORY; nothing stays allocated then. */

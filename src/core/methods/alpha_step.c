@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
@@ -25,29 +26,19 @@ enum thud_status thud_alpha_create(const struct thud_method *method, const struc
     struct thud_alpha_work *x = calloc(1, sizeof *x);
     *own = NULL;
     assert(time_offset(parameters) != 0 || parameters->am == 0);
-    if (x) {
-        x->block =
-            calloc((THUD_STEPS_AT_ONCE + 2) * size + 3 * n + nc * n + 2 * nc * nc + 5 * nc + 1, sizeof *x->block);
-        x->active = calloc(2 * nc + 1, sizeof *x->active);
-    }
-    if (!x || !x->block || !x->active || thud_modal_operator_create(m, &x->op, err) != THUD_OK) {
+    if (!x ||
+        THUD_LAY(err, THUD_PIECE(x->block, (THUD_STEPS_AT_ONCE + 2) * size + n), THUD_PIECE(x->a1, n),
+                 THUD_PIECE(x->rhs, n), THUD_PIECE(x->response, nc * n), THUD_PIECE(x->w, nc * nc),
+                 THUD_PIECE(x->matrix, nc * nc), THUD_PIECE(x->change, nc), THUD_PIECE(x->d, nc), THUD_PIECE(x->v, nc),
+                 THUD_PIECE(x->a, nc), THUD_PIECE(x->reach, nc), THUD_PIECE(x->active, nc),
+                 THUD_PIECE(x->pivot, nc)) != THUD_OK ||
+        thud_modal_operator_create(m, &x->op, err) != THUD_OK) {
         thud_alpha_free(x);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     x->a0 = thud_motion_place(&x->work, m, x->block);
     for (int i = 0; i <= THUD_STEPS_AT_ONCE; i++)
         x->a0 = thud_motion_place(&x->end[i], m, x->a0);
-    x->a1 = x->a0 + n;
-    x->rhs = x->a1 + n;
-    x->response = x->rhs + n;
-    x->w = x->response + nc * n;
-    x->matrix = x->w + nc * nc;
-    x->change = x->matrix + nc * nc;
-    x->d = x->change + nc;
-    x->v = x->d + nc;
-    x->a = x->v + nc;
-    x->reach = x->a + nc;
-    x->pivot = x->active + nc;
     x->p = *parameters;
     x->fresh = true;
     for (size_t i = 0; i < nc * n; i++) /* a mode without a spring goes any way */
@@ -64,7 +55,6 @@ void thud_alpha_free(void *own)
         return;
     thud_modal_operator_free(x->op);
     free(x->block);
-    free(x->active);
     free(x);
 }
 

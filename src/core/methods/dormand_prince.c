@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "core/methods/runge_kutta.h"
 #include "core/numerics/tolerance.h"
 
@@ -32,32 +33,28 @@ struct dormand_prince {
     double *scale_mps2;       /* (nstructures) largest total accelerations so far */
     double *scale_n;          /* (nrows) largest forces so far */
     struct thud_motion error; /* of the step at its end */
-    double *block;
 };
 
 enum thud_status thud_dormand_prince_create(const struct thud_method *method, const struct thud_state *state,
                                             void **own, struct thud_error *err)
 {
+    const struct thud_model *m = state->model;
     void *rk;
     struct dormand_prince *x = *own = calloc(1, sizeof *x);
-    const size_t structures = (size_t)state->model->nstructures;
-    double *block =
-        x ? x->block = calloc(thud_motion_size(state->model) + structures + (size_t)state->model->nrows, sizeof *block)
-          : NULL;
-    if (!block || thud_rk_create(method, state, &rk, err) != THUD_OK) {
-        free(block);
-        free(x);
+    if (!x ||
+        THUD_LAY(err, THUD_MOTION_PIECES(x->error, m), THUD_PIECE(x->scale_mps2, m->nstructures),
+                 THUD_PIECE(x->scale_n, m->nrows)) != THUD_OK ||
+        thud_rk_create(method, state, &rk, err) != THUD_OK) {
+        thud_dormand_prince_free(x);
         *own = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     x->rk = rk;
-    x->scale_mps2 = thud_motion_place(&x->error, state->model, block);
-    x->scale_n = x->scale_mps2 + structures;
-    for (size_t s = 0; s < structures; s++)
+    for (int s = 0; s < m->nstructures; s++)
         x->scale_mps2[s] = state->ground_mps2;
     double mass = 0;
-    for (int j = 0; j < state->model->nmodes; j++)
-        mass += state->model->gamma[j] * state->model->gamma[j];
+    for (int j = 0; j < m->nmodes; j++)
+        mass += m->gamma[j] * m->gamma[j];
     x->h = thud_state_default_step(state);
     x->speed = sqrt(mass) * thud_record_speed(state->record) +
                sqrt(2 * (thud_state_kinetic(state) + thud_state_strain(state)));
@@ -70,7 +67,7 @@ void thud_dormand_prince_free(void *own)
     if (!x)
         return;
     free(x->rk);
-    free(x->block);
+    free(x->error.q);
     free(x);
 }
 

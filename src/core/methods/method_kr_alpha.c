@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "core/methods/method.h"
 #include "core/methods/stepping.h"
 #include "core/model/modal_operator.h"
@@ -21,7 +22,6 @@ struct kr {
     double *a, *smooth, *rhs, *spare; /* (nmodes); a: the scheme's acceleration */
     double h_made;
     bool started;
-    double *block;
 };
 
 static void release(void *own)
@@ -31,7 +31,7 @@ static void release(void *own)
         return;
     thud_modal_operator_free(x->a1_operator);
     thud_modal_operator_free(x->end_operator);
-    free(x->block);
+    free(x->start.q);
     free(x);
 }
 
@@ -40,23 +40,17 @@ static enum thud_status create(const struct thud_method *method, const struct th
 {
     (void)method;
     const struct thud_model *m = state->model;
-    size_t n = (size_t)m->nmodes;
     struct kr *x = calloc(1, sizeof *x);
     *own = NULL;
-    if (x)
-        x->block = calloc(3 * thud_motion_size(m) + 4 * n + 1, sizeof *x->block);
-    if (!x || !x->block || thud_modal_operator_create(m, &x->a1_operator, err) != THUD_OK ||
+    if (!x ||
+        THUD_LAY(err, THUD_MOTION_PIECES(x->start, m), THUD_MOTION_PIECES(x->end, m), THUD_MOTION_PIECES(x->work, m),
+                 THUD_PIECE(x->a, m->nmodes), THUD_PIECE(x->smooth, m->nmodes), THUD_PIECE(x->rhs, m->nmodes),
+                 THUD_PIECE(x->spare, m->nmodes)) != THUD_OK ||
+        thud_modal_operator_create(m, &x->a1_operator, err) != THUD_OK ||
         thud_modal_operator_create(m, &x->end_operator, err) != THUD_OK) {
         release(x);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    double *next = thud_motion_place(&x->start, m, x->block);
-    next = thud_motion_place(&x->end, m, next);
-    next = thud_motion_place(&x->work, m, next);
-    x->a = next;
-    x->smooth = next + n;
-    x->rhs = next + 2 * n;
-    x->spare = next + 3 * n;
     *own = x;
     return THUD_OK;
 }

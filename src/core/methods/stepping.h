@@ -10,6 +10,10 @@ enum { THUD_MOTION_VECTORS = 3 };
 /* Doubles that a motion needs, and their distribution; returns what comes after. */
 size_t thud_motion_size(const struct thud_model *model);
 double *thud_motion_place(struct thud_motion *motion, const struct thud_model *model, double *block);
+/* The same as pieces of a block (base/arena.h) that begins with its q. */
+#define THUD_MOTION_PIECES(motion, model)                                                                              \
+    THUD_PIECE((motion).q, (model)->nmodes), THUD_PIECE((motion).qd, (model)->nmodes),                                 \
+        THUD_PIECE((motion).qdd, (model)->nmodes), THUD_PIECE((motion).force, (model)->nrows)
 
 /* The longest step now: to the next kink of the ground motion or the end, or what the run asks for. */
 double thud_step_room(const struct thud_state *state);

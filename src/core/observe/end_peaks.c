@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "base/largest.h"
 #include "core/numerics/vec.h"
 #include "core/observe/observe_peaks.h"
@@ -24,12 +25,10 @@ enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct t
 {
     size_t row = (size_t)stride, rows = THUD_FLOOR_QUANTITIES * ((size_t)model->nstructures + 1);
     *ends = (struct thud_end_peaks){.shape = shape, .stride = stride, .per_speed = per_speed};
-    ends->most = malloc((rows * row + 2) * sizeof *ends->most);
-    ends->quiet = calloc((size_t)model->nstructures + 1, sizeof *ends->quiet);
-    if (!ends->most || !ends->quiet) {
-        thud_end_peaks_clear(ends);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(ends->most, rows * row + 2), THUD_PIECE(ends->quiet, model->nstructures));
+    if (status != THUD_OK)
+        return status;
     double *next = ends->most;
     for (int s = 0; s < model->nstructures; s++) /* a rigid body has no drift, and the rest of a row is no floor */
         for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
@@ -39,15 +38,12 @@ enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct t
                 *next++ = i < count ? 0 : INFINITY;
         }
     ends->value = next + 2;
-    for (int i = -2; i < THUD_FLOOR_QUANTITIES * stride; i++)
-        ends->value[i] = 0;
     return THUD_OK;
 }
 
 void thud_end_peaks_clear(struct thud_end_peaks *ends)
 {
     free(ends->most);
-    free(ends->quiet);
     *ends = (struct thud_end_peaks){0};
 }
 

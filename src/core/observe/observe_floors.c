@@ -277,27 +277,20 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
 {
     assert(choice->nfloors > 0 && choice->nperiods > 0);
     assert(choice->damping > 0 && choice->damping < 1);
-    struct thud_arena arena;
     const size_t nf = (size_t)choice->nfloors, nm = (size_t)model->nmodes,
-                 nb = ((size_t)choice->nperiods + BATCH - 1) / BATCH, numbers = nf + nm * (TERMS + 1);
+                 nb = ((size_t)choice->nperiods + BATCH - 1) / BATCH;
     *p = (struct thud_floor_oscillators){.nfloors = choice->nfloors,
                                          .nperiods = choice->nperiods,
                                          .nblocks = (int)nb,
                                          .damping = choice->damping,
                                          .root = sqrt(1 - choice->damping * choice->damping)};
     p->left_out = accuracy * p->root * (1 - exp(-p->damping * piece_most_rad)) / piece_most_rad;
-    if (!thud_arena_open(&arena, thud_arena_room(nf, sizeof *p->dof) + thud_arena_room(numbers, sizeof(double)) +
-                                     thud_arena_room(nf, sizeof *p->load) + thud_arena_room(nb, sizeof *p->table) +
-                                     thud_arena_room(nb * nf, sizeof *p->batch)))
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    p->memory = arena.next;
-    p->dof = thud_arena_take(&arena, nf, sizeof *p->dof);
-    p->largest = thud_arena_take(&arena, numbers, sizeof(double));
-    p->rates = p->largest + nf;
-    p->modal = p->rates + nm;
-    p->load = thud_arena_take(&arena, nf, sizeof *p->load);
-    p->table = thud_arena_take(&arena, nb, sizeof *p->table);
-    p->batch = thud_arena_take(&arena, nb * nf, sizeof *p->batch);
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(p->dof, nf), THUD_PIECE(p->largest, nf), THUD_PIECE(p->rates, nm),
+                 THUD_PIECE(p->modal, nm * TERMS), THUD_PIECE(p->load, nf), THUD_PIECE(p->table, nb),
+                 THUD_PIECE(p->batch, nb * nf));
+    if (status != THUD_OK)
+        return status;
     for (int f = 0; f < p->nfloors; f++) {
         assert(choice->dof[f] >= 0 && choice->dof[f] < model->ndof);
         p->dof[f] = choice->dof[f];
@@ -315,7 +308,7 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
 
 void thud_floor_oscillators_clear(struct thud_floor_oscillators *p)
 {
-    free(p->memory);
+    free(p->dof);
     *p = (struct thud_floor_oscillators){0};
 }
 

@@ -66,7 +66,6 @@ struct thud_floor_oscillators {
     struct thud_floor_load *load;                     /* (nfloors) in the piece */
     struct thud_floor_block *table;                   /* (nblocks) */
     struct thud_floor_batch *batch;                   /* (nblocks x nfloors) */
-    void *memory;
 };
 
 extern const struct thud_observer thud_observe_floors;

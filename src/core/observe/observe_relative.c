@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "core/motion/free_vibration.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/vec.h"
@@ -158,18 +159,12 @@ const struct thud_observer thud_observe_relative = {.segment = segment, .block =
 enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_model *model,
                                     struct thud_error *err)
 {
-    size_t n = 2 * (size_t)model->ncontacts;
-    relative->largest_m = calloc(n + 1, sizeof *relative->largest_m);
-    relative->due = calloc(n * BLOCK + 1, sizeof *relative->due);
-    if (relative->largest_m && relative->due)
-        return THUD_OK;
-    thud_relative_clear(relative);
-    return thud_error_set(err, THUD_MEMORY, "out of memory");
+    const int n = 2 * model->ncontacts;
+    return THUD_LAY(err, THUD_PIECE(relative->largest_m, n), THUD_PIECE(relative->due, n * BLOCK));
 }
 
 void thud_relative_clear(struct thud_relative *relative)
 {
     free(relative->largest_m);
-    free(relative->due);
     *relative = (struct thud_relative){0};
 }

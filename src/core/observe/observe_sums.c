@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "base/largest.h"
 #include "core/contact/storey.h"
 #include "core/motion/free_vibration.h"
@@ -301,13 +302,12 @@ static void add_link(struct thud_sums *sums, const struct thud_model *m, int lin
 enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_model *m, struct thud_result *result,
                                 struct thud_error *err)
 {
-    size_t most = (size_t)(2 * m->ndof + m->nstructures + THUD_COLUMN_QUANTITIES * m->ncolumns + 2 * m->nlinks);
-    sums->sum = calloc(most + 1, sizeof *sums->sum);
-    struct thud_sum_force *next = sums->force = calloc(most * (size_t)m->nrows + 1, sizeof *next);
-    if (!sums->sum || !next) {
-        thud_sums_clear(sums);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
+    const int most = 2 * m->ndof + m->nstructures + THUD_COLUMN_QUANTITIES * m->ncolumns + 2 * m->nlinks;
+    struct thud_sum_force *next;
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(sums->sum, most), THUD_PIECE(next, (size_t)most * (size_t)m->nrows + 1));
+    if (status != THUD_OK)
+        return status;
     for (int i = 0; i < m->ncolumns; i++)
         add_column(sums, m, i, result);
     for (int i = 0; i < m->nlinks; i++)
@@ -322,7 +322,6 @@ enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_model 
 void thud_sums_clear(struct thud_sums *sums)
 {
     free(sums->sum);
-    free(sums->force);
     *sums = (struct thud_sums){0};
 }
 

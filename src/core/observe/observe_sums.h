@@ -28,7 +28,6 @@ struct thud_sum {
 struct thud_sums {
     struct thud_sum *sum; /* (count) */
     int count;
-    struct thud_sum_force *force;
 };
 
 extern const struct thud_observer thud_observe_sums;

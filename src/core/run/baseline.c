@@ -25,7 +25,6 @@ struct moment {
     struct thud_storey_state *storey;  /* (nstoreys), none of which yields */
     struct thud_column_result *column; /* (ncolumns) peaks so far */
     struct thud_link_result *link;     /* (nlinks) */
-    void *block;                       /* of all of these */
 };
 
 struct thud_baseline_motion {
@@ -49,7 +48,7 @@ static void thin(struct thud_baseline_motion *baseline)
         if (i % 2 == 0)
             baseline->kept[left++] = baseline->kept[i];
         else
-            free(baseline->kept[i].block);
+            free(baseline->kept[i].state);
     }
     baseline->nkept = left;
     baseline->apart *= 2;
@@ -78,19 +77,12 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
                  floors = (size_t)baseline->model.ndof, storeys = (size_t)run->state.model->nstoreys,
                  columns = (size_t)r->ncolumns, links = (size_t)r->nlinks;
     struct moment *moment = &baseline->kept[baseline->nkept];
-    struct thud_arena arena;
-    if (!thud_arena_open(&arena, thud_arena_room(2 * n + nc, sizeof *moment->state) +
-                                     thud_arena_room(floors, sizeof *moment->floor) +
-                                     thud_arena_room(storeys, sizeof *moment->storey) +
-                                     thud_arena_room(columns, sizeof *moment->column) +
-                                     thud_arena_room(links, sizeof *moment->link)))
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    *moment = (struct moment){.grid = run->state.grid, .block = arena.next};
-    moment->state = thud_arena_take(&arena, 2 * n + nc, sizeof *moment->state);
-    moment->floor = thud_arena_take(&arena, floors, sizeof *moment->floor);
-    moment->storey = thud_arena_take(&arena, storeys, sizeof *moment->storey);
-    moment->column = thud_arena_take(&arena, columns, sizeof *moment->column);
-    moment->link = thud_arena_take(&arena, links, sizeof *moment->link);
+    const enum thud_status status = THUD_LAY(err, THUD_PIECE(moment->state, 2 * n + nc),
+                                             THUD_PIECE(moment->floor, floors), THUD_PIECE(moment->storey, storeys),
+                                             THUD_PIECE(moment->column, columns), THUD_PIECE(moment->link, links));
+    if (status != THUD_OK)
+        return status;
+    moment->grid = run->state.grid;
     baseline->nkept++;
     memcpy(moment->state, run->state.q, n * sizeof(double));
     memcpy(moment->state + n, run->state.qd, n * sizeof(double));
@@ -175,7 +167,7 @@ void thud_baseline_free(struct thud_baseline_motion *baseline)
     if (!baseline)
         return;
     for (int i = 0; i < baseline->nkept; i++)
-        free(baseline->kept[i].block);
+        free(baseline->kept[i].state);
     thud_run_free(baseline->run);
     thud_early_end_free(baseline->early_end);
     free(baseline->model.contact);

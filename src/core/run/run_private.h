@@ -58,7 +58,6 @@ struct thud_run {
 
     struct thud_work work;
     struct thud_result result;
-    void *result_block;
 };
 
 /* A segment in run->seg, and how far it is taken. */

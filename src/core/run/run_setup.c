@@ -28,32 +28,26 @@ static void set_times(struct thud_run *run)
         run->options.history_step_s = r ? r->dt_s : run->state.end_s / 2000;
 }
 
-static bool allocate_result(struct thud_run *run)
+/* The results, with what the model says of them, and the workspaces of the run. */
+static enum thud_status allocate_result(struct thud_run *run, struct thud_error *err)
 {
     const struct thud_model *m = run->state.model;
     struct thud_result *r = &run->result;
-    struct thud_arena arena;
-    size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, columns = (size_t)m->ncolumns,
-           links = (size_t)m->nlinks, floors = (size_t)m->ndof, storeys = m->nstoreys > m->nslips ? floors : 0;
-    if (!thud_arena_open(&arena, thud_arena_room(ns, sizeof *r->structure) + thud_arena_room(nc, sizeof *r->contact) +
-                                     thud_arena_room(columns, sizeof *r->column) +
-                                     thud_arena_room(links, sizeof *r->link) +
-                                     thud_arena_room(storeys, sizeof(struct thud_storey_result)) +
-                                     thud_arena_room(floors, sizeof(struct thud_floor_result)) +
-                                     thud_arena_room(floors, sizeof(double))))
-        return false;
-    run->result_block = arena.next;
+    struct thud_storey_result *storey;
+    struct thud_floor_result *floor;
+    double *period_s;
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(r->structure, m->nstructures), THUD_PIECE(r->contact, m->ncontacts),
+                 THUD_PIECE(r->column, m->ncolumns), THUD_PIECE(r->link, m->nlinks),
+                 THUD_PIECE(storey, m->nstoreys > m->nslips ? m->ndof : 0), THUD_PIECE(floor, m->ndof),
+                 THUD_PIECE(period_s, m->ndof), THUD_PIECE(run->end, 2 * m->nmodes),
+                 THUD_PIECE(run->contact_work, m->ncontacts));
+    if (status != THUD_OK)
+        return status;
     r->nstructures = m->nstructures;
     r->ncontacts = m->npairs;
     r->nlinks = m->nlinks;
     r->ncolumns = m->ncolumns;
-    r->structure = thud_arena_take(&arena, ns, sizeof *r->structure);
-    r->contact = thud_arena_take(&arena, nc, sizeof *r->contact);
-    r->column = thud_arena_take(&arena, columns, sizeof *r->column);
-    r->link = thud_arena_take(&arena, links, sizeof *r->link);
-    struct thud_storey_result *storey = thud_arena_take(&arena, storeys, sizeof *storey);
-    struct thud_floor_result *floor = thud_arena_take(&arena, floors, sizeof *floor);
-    double *period_s = thud_arena_take(&arena, floors, sizeof *period_s);
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         r->structure[s].floors = p->n;
@@ -93,7 +87,7 @@ static bool allocate_result(struct thud_run *run)
                                                    .ratio = NAN,
                                                    .drifts = p->per_drift[THUD_COLUMN_SHEAR_LOWER] != 0};
     }
-    return true;
+    return THUD_OK;
 }
 
 static const char no_contact[] = "no contact is possible: modes alone, in closed form";
@@ -164,10 +158,8 @@ static enum thud_status prepare(struct thud_run *run, const struct thud_model *m
     enum thud_status status = thud_state_init(&run->state, model, record, &run->work, err);
     if (status == THUD_OK)
         status = thud_segment_init(&run->seg, model, err);
-    run->end = status == THUD_OK ? calloc(2 * (size_t)model->nmodes + 1, sizeof *run->end) : NULL;
-    run->contact_work = calloc((size_t)model->ncontacts + 1, sizeof *run->contact_work);
-    if (status == THUD_OK && !(run->end && run->contact_work && allocate_result(run)))
-        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK)
+        status = allocate_result(run, err);
     if (status == THUD_OK)
         status =
             thud_contact_log_init(&run->log, run->result.contact, model->ncontacts, run->options.keep_impacts, err);
@@ -294,10 +286,8 @@ void thud_run_free(struct thud_run *run)
     thud_history_rows_clear(&run->rows);
     thud_ledger_clear(&run->ledger);
     thud_floor_oscillators_clear(&run->floors);
-    free(run->end);
     thud_steps_clear(&run->steps);
-    free(run->contact_work);
-    free(run->result_block);
+    free(run->result.structure);
     free(run);
 }
 
