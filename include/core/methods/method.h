@@ -16,19 +16,13 @@ enum {
     THUD_METHOD_DEMONSTRATION = 8 /* demonstrates a fault; never selected automatically */
 };
 
-struct thud_method {
-    const char *name, *title;
-    const char *reference; /* author, journal, volume (year) pages; several parted by "; " */
-    const char *summary;   /* one line */
-    unsigned flags;
-    int order;          /* on smooth problems; 0: exact without contact */
-    double stability;   /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */
-    const char *limits; /* one line in words */
+struct thud_method;
 
+/* How methods of one family step. */
+struct thud_stepper {
     /* Creates the method's own memory (may stay NULL). Errors: THUD_MEMORY. */
     enum thud_status (*create)(const struct thud_method *method, const struct thud_state *state, void **own,
                                struct thud_error *err);
-    const void *scheme; /* constants that create reads: a struct thud_alpha or thud_tableau; else NULL */
     /* Proposes the next segment (src/core/contact/segment.h) from the state; the run locates events in it and commits.
      * Errors: THUD_DIVERGED (no step is short enough), THUD_MEMORY. */
     enum thud_status (*step)(const struct thud_state *state, void *own, struct thud_segment *seg,
@@ -37,6 +31,18 @@ struct thud_method {
     void (*committed)(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                       bool switched);
     void (*free)(void *own);
+};
+
+struct thud_method {
+    const char *name, *title;
+    const char *reference; /* author, journal, volume (year) pages; several parted by "; " */
+    const char *summary;   /* one line */
+    unsigned flags;
+    int order;          /* on smooth problems; 0: exact without contact */
+    double stability;   /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */
+    const char *limits; /* one line in words */
+    const struct thud_stepper *stepper;
+    const void *scheme; /* constants that create reads: a struct thud_alpha or thud_tableau; else NULL */
 };
 
 int thud_method_count(void);

@@ -17,8 +17,18 @@ static double time_offset(const struct thud_alpha *p)
     return p->am - p->af;
 }
 
-enum thud_status thud_alpha_create(const struct thud_method *method, const struct thud_state *state, void **own,
-                                   struct thud_error *err)
+static void release(void *own)
+{
+    struct thud_alpha_work *x = own;
+    if (!x)
+        return;
+    thud_modal_operator_free(x->op);
+    free(x->block);
+    free(x);
+}
+
+static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
+                               struct thud_error *err)
 {
     const struct thud_alpha *parameters = method->scheme;
     const struct thud_model *m = state->model;
@@ -33,7 +43,7 @@ enum thud_status thud_alpha_create(const struct thud_method *method, const struc
                  THUD_PIECE(x->a, nc), THUD_PIECE(x->reach, nc), THUD_PIECE(x->active, nc),
                  THUD_PIECE(x->pivot, nc)) != THUD_OK ||
         thud_modal_operator_create(m, &x->op, err) != THUD_OK) {
-        thud_alpha_free(x);
+        release(x);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     x->a0 = thud_motion_place(&x->work, m, x->block);
@@ -46,16 +56,6 @@ enum thud_status thud_alpha_create(const struct thud_method *method, const struc
             x->reach[i / n] += m->jacobian[i] * m->jacobian[i] / m->spring[i % n];
     *own = x;
     return THUD_OK;
-}
-
-void thud_alpha_free(void *own)
-{
-    struct thud_alpha_work *x = own;
-    if (!x)
-        return;
-    thud_modal_operator_free(x->op);
-    free(x->block);
-    free(x);
 }
 
 /* Operator and responses for steps of length h; kept while steps differ by rounding only. */
@@ -214,8 +214,8 @@ static int go_ahead(const struct thud_state *state, struct thud_alpha_work *x, d
     return steps;
 }
 
-enum thud_status thud_alpha_step(const struct thud_state *state, void *own, struct thud_segment *seg,
-                                 struct thud_error *err)
+static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                             struct thud_error *err)
 {
     struct thud_alpha_work *x = own;
     const double h = thud_step_length(state);
@@ -240,8 +240,8 @@ enum thud_status thud_alpha_step(const struct thud_state *state, void *own, stru
     return THUD_OK;
 }
 
-void thud_alpha_committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
-                          bool switched)
+static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                      bool switched)
 {
     struct thud_alpha_work *x = own;
     (void)tau_s;
@@ -255,3 +255,5 @@ void thud_alpha_committed(const struct thud_state *state, void *own, const struc
         x->end[0] = last;
     }
 }
+
+const struct thud_stepper thud_alpha_stepper = {create, step, committed, release};

@@ -22,11 +22,4 @@ struct thud_alpha {
     bool lagged; /* the contact force of the step's end is taken from its start: eq. (1) read as an update rule */
 };
 
-/* Of a method whose scheme is a struct thud_alpha. */
-enum thud_status thud_alpha_create(const struct thud_method *method, const struct thud_state *state, void **own,
-                                   struct thud_error *err);
-enum thud_status thud_alpha_step(const struct thud_state *state, void *own, struct thud_segment *seg,
-                                 struct thud_error *err);
-void thud_alpha_committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
-                          bool switched);
-void thud_alpha_free(void *own);
+extern const struct thud_stepper thud_alpha_stepper; /* of methods whose scheme is a struct thud_alpha */

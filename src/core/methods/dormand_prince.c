@@ -35,8 +35,18 @@ struct dormand_prince {
     struct thud_motion error; /* of the step at its end */
 };
 
-enum thud_status thud_dormand_prince_create(const struct thud_method *method, const struct thud_state *state,
-                                            void **own, struct thud_error *err)
+static void release(void *own)
+{
+    struct dormand_prince *x = own;
+    if (!x)
+        return;
+    free(x->rk);
+    free(x->error.q);
+    free(x);
+}
+
+static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
+                               struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     void *rk;
@@ -45,7 +55,7 @@ enum thud_status thud_dormand_prince_create(const struct thud_method *method, co
         THUD_LAY(err, THUD_MOTION_PIECES(x->error, m), THUD_PIECE(x->scale_mps2, m->nstructures),
                  THUD_PIECE(x->scale_n, m->nrows)) != THUD_OK ||
         thud_rk_create(method, state, &rk, err) != THUD_OK) {
-        thud_dormand_prince_free(x);
+        release(x);
         *own = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -59,16 +69,6 @@ enum thud_status thud_dormand_prince_create(const struct thud_method *method, co
     x->speed = sqrt(mass) * thud_record_speed(state->record) +
                sqrt(2 * (thud_state_kinetic(state) + thud_state_strain(state)));
     return THUD_OK;
-}
-
-void thud_dormand_prince_free(void *own)
-{
-    struct dormand_prince *x = own;
-    if (!x)
-        return;
-    free(x->rk);
-    free(x->error.q);
-    free(x);
 }
 
 /* The largest total acceleration of a structure's floors at a motion. */
@@ -141,8 +141,8 @@ static double error_of(const struct thud_state *state, struct dormand_prince *x,
     return isfinite(sum) ? error : INFINITY;
 }
 
-enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *own, struct thud_segment *seg,
-                                          struct thud_error *err)
+static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
+                             struct thud_error *err)
 {
     /* of the tolerance, for one step: errors add up, and impacts make them grow; and for the steps of a whole run */
     static const double step_share = 1e-2, run_share = 500, least_share = 1e-3;
@@ -169,11 +169,13 @@ enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *
     }
 }
 
-void thud_dormand_prince_committed(const struct thud_state *state, void *own, const struct thud_segment *seg,
-                                   double tau_s, bool switched)
+static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
+                      bool switched)
 {
     struct dormand_prince *x = own;
     if (tau_s <= 0) /* an event at the very start: another step would see another end of the same motion */
         x->h = fmin(x->h, seg->h_s);
     thud_rk_committed(state, x->rk, seg, tau_s, switched);
 }
+
+const struct thud_stepper thud_dormand_prince_stepper = {create, step, committed, release};

@@ -16,9 +16,6 @@ const struct thud_method thud_method_central_difference = {
     .order = 2,
     .stability = 2,
     .limits = "stable while omega dt < 2, but contacts that open and close may gain energy below",
-    .create = thud_alpha_create,
+    .stepper = &thud_alpha_stepper,
     .scheme = &(const struct thud_alpha){.gamma = 0.5},
-    .step = thud_alpha_step,
-    .committed = thud_alpha_committed,
-    .free = thud_alpha_free,
 };

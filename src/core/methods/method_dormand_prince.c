@@ -13,9 +13,6 @@ const struct thud_method thud_method_dormand_prince = {
     .order = 5,
     .stability = INFINITY,
     .limits = "none of its own: the step follows the tolerance, and gets short where a contact is stiff",
-    .create = thud_dormand_prince_create,
+    .stepper = &thud_dormand_prince_stepper,
     .scheme = &thud_dormand_prince_tableau,
-    .step = thud_dormand_prince_step,
-    .committed = thud_dormand_prince_committed,
-    .free = thud_dormand_prince_free,
 };

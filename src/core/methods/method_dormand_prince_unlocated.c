@@ -14,9 +14,6 @@ const struct thud_method thud_method_dormand_prince_unlocated = {
     .order = 5,
     .stability = INFINITY,
     .limits = "chatters where the law jumps; steps of 1e-9 s and less at every impact",
-    .create = thud_dormand_prince_create,
+    .stepper = &thud_dormand_prince_stepper,
     .scheme = &thud_dormand_prince_tableau,
-    .step = thud_dormand_prince_step,
-    .committed = thud_dormand_prince_committed,
-    .free = thud_dormand_prince_free,
 };

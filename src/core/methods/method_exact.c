@@ -85,8 +85,5 @@ const struct thud_method thud_method_exact = {
     .order = 0,
     .stability = INFINITY,
     .limits = "none known; the step follows the contact forces alone",
-    .create = create,
-    .step = step,
-    .committed = committed,
-    .free = release,
+    .stepper = &(const struct thud_stepper){create, step, committed, release},
 };

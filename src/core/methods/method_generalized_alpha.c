@@ -20,9 +20,6 @@ const struct thud_method thud_method_generalized_alpha = {
     .order = 2,
     .stability = INFINITY,
     .limits = "none in linear structures; in contact a large step damps or gains at random",
-    .create = thud_alpha_create,
+    .stepper = &thud_alpha_stepper,
     .scheme = &(const struct thud_alpha){AM, AF, 0.25 * (1 - AM + AF) * (1 - AM + AF), 0.5 - AM + AF, false},
-    .step = thud_alpha_step,
-    .committed = thud_alpha_committed,
-    .free = thud_alpha_free,
 };

@@ -15,9 +15,6 @@ const struct thud_method thud_method_hht = {
     .order = 2,
     .stability = INFINITY,
     .limits = "none in linear structures; in contact a large step damps or gains at random",
-    .create = thud_alpha_create,
+    .stepper = &thud_alpha_stepper,
     .scheme = &(const struct thud_alpha){.af = 0.1, .beta = 0.3025, .gamma = 0.6},
-    .step = thud_alpha_step,
-    .committed = thud_alpha_committed,
-    .free = thud_alpha_free,
 };

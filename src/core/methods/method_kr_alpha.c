@@ -104,7 +104,5 @@ const struct thud_method thud_method_kr_alpha = {
     .order = 1,
     .stability = INFINITY,
     .limits = "none in linear structures; stiff contacts, which its matrices do not know, make it unstable",
-    .create = create,
-    .step = step,
-    .free = release,
+    .stepper = &(const struct thud_stepper){create, step, NULL, release},
 };

@@ -16,9 +16,6 @@ const struct thud_method thud_method_lagged = {
     .order = 2,
     .stability = INFINITY,
     .limits = "every elastic impact leaves exp(pi omega dt / 2) times as fast as it came",
-    .create = thud_alpha_create,
+    .stepper = &thud_alpha_stepper,
     .scheme = &(const struct thud_alpha){.beta = 0.25, .gamma = 0.5, .lagged = true},
-    .step = thud_alpha_step,
-    .committed = thud_alpha_committed,
-    .free = thud_alpha_free,
 };

@@ -14,9 +14,6 @@ const struct thud_method thud_method_newmark = {
     .order = 2,
     .stability = INFINITY,
     .limits = "none in linear structures; in contact a large step gains energy",
-    .create = thud_alpha_create,
+    .stepper = &thud_alpha_stepper,
     .scheme = &(const struct thud_alpha){.beta = 0.25, .gamma = 0.5},
-    .step = thud_alpha_step,
-    .committed = thud_alpha_committed,
-    .free = thud_alpha_free,
 };

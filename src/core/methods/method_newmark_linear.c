@@ -13,9 +13,6 @@ const struct thud_method thud_method_newmark_linear = {
     .order = 2,
     .stability = 3.4641016151377544,
     .limits = "stable while omega dt < 2 sqrt(3), but contacts that open and close may gain energy below",
-    .create = thud_alpha_create,
+    .stepper = &thud_alpha_stepper,
     .scheme = &(const struct thud_alpha){.beta = 1.0 / 6, .gamma = 0.5},
-    .step = thud_alpha_step,
-    .committed = thud_alpha_committed,
-    .free = thud_alpha_free,
 };

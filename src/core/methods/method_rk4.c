@@ -33,9 +33,6 @@ const struct thud_method thud_method_rk4 = {
     .order = 4,
     .stability = 2.8284271247461903,
     .limits = "stable while omega dt < 2 sqrt(2), but contacts that open and close may gain energy below",
-    .create = thud_rk_create,
+    .stepper = &(const struct thud_stepper){thud_rk_create, step, thud_rk_committed, free},
     .scheme = &tableau,
-    .step = step,
-    .committed = thud_rk_committed,
-    .free = free,
 };

@@ -85,8 +85,8 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     for (int i = 0; i < run->observers && switched && !falls; i++)
         if (run->observer[i].table->switched)
             run->observer[i].table->switched(run->observer[i].own, &run->state, p.contact, p.event);
-    if (status == THUD_OK && run->method->committed)
-        run->method->committed(&run->state, run->own, &run->seg, p.s * run->seg.h_s, switched || p.passed);
+    if (status == THUD_OK && run->method->stepper->committed)
+        run->method->stepper->committed(&run->state, run->own, &run->seg, p.s * run->seg.h_s, switched || p.passed);
     return status;
 }
 

@@ -34,7 +34,7 @@ static enum thud_status check_proposal(struct thud_run *run, struct thud_error *
 /* A step of the method, checked, with its first event. */
 static enum thud_status propose(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
 {
-    enum thud_status status = run->method->step(&run->state, run->own, &run->seg, err);
+    enum thud_status status = run->method->stepper->step(&run->state, run->own, &run->seg, err);
     if (status == THUD_OK)
         status = check_proposal(run, err);
     if (status != THUD_OK)

@@ -236,8 +236,8 @@ static enum thud_status start(struct thud_run *run, const struct thud_run *like,
         thud_ledger_start(&run->ledger, &run->state);
     if (status == THUD_OK && run->method->order == 0) /* the others show how they fare without contact */
         status = thud_free_vibration_create(&run->state, like ? like->free_vibration : NULL, &run->free_vibration, err);
-    if (status == THUD_OK && run->method->create)
-        status = run->method->create(run->method, &run->state, &run->own, err);
+    if (status == THUD_OK)
+        status = run->method->stepper->create(run->method, &run->state, &run->own, err);
     return status;
 }
 
@@ -275,8 +275,8 @@ void thud_run_free(struct thud_run *run)
 {
     if (!run)
         return;
-    if (run->own && run->method->free)
-        run->method->free(run->own);
+    if (run->own)
+        run->method->stepper->free(run->own);
     thud_free_vibration_free(run->free_vibration);
     thud_segment_clear(&run->seg);
     thud_state_clear(&run->state);
