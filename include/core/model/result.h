@@ -169,7 +169,7 @@ struct thud_history {
     int ndof, ncontacts, nstoreys, nstruck, nlinks, columns;
     bool loses;  /* storeys yield or links slip */
     bool weighs; /* P-Delta */
-    size_t rows, capacity;
+    size_t rows;
     double *time_s; /* (rows) */
     double *value;  /* (rows x columns), row-major */
 };

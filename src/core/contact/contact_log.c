@@ -1,11 +1,12 @@
-/* The lists that a run keeps where it is asked to: one entry for each impact that is over and for each event, doubling as
- * they grow. Nothing that moves reads them. */
+/* The lists that a run keeps where it is asked to: one entry for each impact that is over and for each event. Nothing
+ * that moves reads them. */
 #include "core/contact/contact_log.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/arena.h"
+#include "base/grow.h"
 #include "core/contact/storey.h"
 
 enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
@@ -29,14 +30,10 @@ enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct
 {
     if (!log->keep_impacts)
         return THUD_OK;
-    if (log->count == log->capacity) {
-        int more = log->capacity ? 2 * log->capacity : 256;
-        struct thud_impact *p = realloc(log->impact, (size_t)more * sizeof *p);
-        if (!p)
-            return thud_error_set(err, THUD_MEMORY, "out of memory for the list of impacts");
-        log->impact = p;
-        log->capacity = more;
-    }
+    struct thud_impact *larger = thud_grow(log->impact, (size_t)log->count, sizeof *larger);
+    if (!larger)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the list of impacts");
+    log->impact = larger;
     log->impact[log->count++] = *impact;
     return THUD_OK;
 }
@@ -78,14 +75,10 @@ enum thud_status thud_contact_log_event(struct thud_contact_log *log, const stru
 {
     if (!log->keep_events)
         return THUD_OK;
-    if (log->nevents == log->event_capacity) {
-        int more = log->event_capacity ? 2 * log->event_capacity : 256;
-        struct thud_event_entry *p = realloc(log->event, (size_t)more * sizeof *p);
-        if (!p)
-            return thud_error_set(err, THUD_MEMORY, "out of memory for the list of events");
-        log->event = p;
-        log->event_capacity = more;
-    }
+    struct thud_event_entry *larger = thud_grow(log->event, (size_t)log->nevents, sizeof *larger);
+    if (!larger)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the list of events");
+    log->event = larger;
     const bool falls = event == THUD_EVENT_COLLAPSE; /* its row is beyond those that have a force */
     log->event[log->nevents++] = (struct thud_event_entry){.time_s = thud_state_now(state),
                                                            .row = row,

@@ -14,9 +14,9 @@ struct thud_contact_log {
     bool *counted;              /* (ncontacts) whether they are among the impacts of the contact */
     double *waiting_s;          /* (ncontacts) time in which they have pushed, until they count */
     struct thud_impact *impact; /* (count), in the order of their ends */
-    int count, capacity;
+    int count;
     struct thud_event_entry *event; /* (nevents), in the order of time */
-    int nevents, event_capacity;
+    int nevents;
     double lost_j; /* in impulses so far */
 };
 

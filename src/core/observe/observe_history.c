@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "core/contact/storey.h"
 #include "core/motion/free_vibration.h"
 #include "core/numerics/tolerance.h"
@@ -130,18 +131,13 @@ void thud_history_rows_clear(struct thud_history_rows *rows)
 
 static double *new_row(struct thud_history *h, double time, struct thud_error *err)
 {
-    if (h->rows == h->capacity) {
-        size_t more = h->capacity ? 2 * h->capacity : 1024;
-        double *t = realloc(h->time_s, more * sizeof *t);
-        if (t)
-            h->time_s = t;
-        double *v = t ? realloc(h->value, more * (size_t)h->columns * sizeof *v) : NULL;
-        if (!v) {
-            thud_error_set(err, THUD_MEMORY, "out of memory for the histories");
-            return NULL;
-        }
-        h->value = v;
-        h->capacity = more;
+    double *times = thud_grow(h->time_s, h->rows, sizeof *times),
+           *values = thud_grow(h->value, h->rows, (size_t)h->columns * sizeof *values);
+    h->time_s = times ? times : h->time_s;
+    h->value = values ? values : h->value;
+    if (!times || !values) {
+        thud_error_set(err, THUD_MEMORY, "out of memory for the histories");
+        return NULL;
     }
     /* never before the row above, and the two sides of a jump at one time, not but for the last bits either: readers of
      * histories rely on it */

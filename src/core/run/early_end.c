@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "base/largest.h"
 #include "core/model/element.h"
 #include "core/motion/free_vibration.h"
@@ -19,9 +20,8 @@ enum { STRIDE = THUD_FREE_VIBRATION_BLOCK, ENDS = THUD_FREE_VIBRATION_ENDS };
 
 struct thud_early_end {
     int n, floors, nc, row; /* modes, floors, contacts, doubles of one block: 2 n + 4 floors + nc */
-    double *
-        block; /* (capacity x row): q, q' at its start; what its floors' values do not pass; largest relative displacements */
-    long count, capacity;
+    double *block; /* (count x row): q, q' at its start; bounds of its floors' values; largest relative displacements */
+    long count;
     double *end;         /* (2 n) q, q' at the end of the last block */
     bool closed, failed; /* blocks are STRIDE intervals each, but for the last */
     long end_grid;
@@ -61,14 +61,10 @@ void thud_early_end_free(struct thud_early_end *early_end)
 /* Room for one more block; NULL: there is no memory. */
 static double *new_block(struct thud_early_end *h)
 {
-    if (h->count == h->capacity) {
-        long more = h->capacity ? 2 * h->capacity : 64;
-        double *p = realloc(h->block, (size_t)more * (size_t)h->row * sizeof *p);
-        if (!p)
-            return NULL;
-        h->block = p;
-        h->capacity = more;
-    }
+    double *larger = thud_grow(h->block, (size_t)h->count, (size_t)h->row * sizeof *larger);
+    if (!larger)
+        return NULL;
+    h->block = larger;
     return h->block + h->count++ * h->row;
 }
 
