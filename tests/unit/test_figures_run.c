@@ -65,13 +65,9 @@ static struct sample *make(void)
     s->result = (struct thud_result){
         .nstructures = 2, .ncontacts = CONTACTS, .structure = s->structure, .contact = s->contact, .end_s = 10.0};
     struct thud_history *h = &s->history;
-    *h = (struct thud_history){.ndof = DOFS,
-                               .ncontacts = CONTACTS,
-                               .nstoreys = 2,
-                               .loses = true,
-                               .columns = 1 + 3 * DOFS + 2 * CONTACTS + THUD_HISTORY_ENERGIES + 1 + 3 * 2,
-                               .rows = ROWS,
-                               .time_s = s->time};
+    *h = (struct thud_history){
+        .ndof = DOFS, .ncontacts = CONTACTS, .nstoreys = 2, .loses = true, .rows = ROWS, .time_s = s->time};
+    thud_history_lay_out(h);
     h->value = s->value = calloc((size_t)ROWS * (size_t)h->columns, sizeof *s->value);
     for (int i = 0; i < ROWS; i++) {
         double *row = s->value + i * h->columns;
@@ -85,7 +81,7 @@ static struct sample *make(void)
         row[thud_history_indentation(h, 1)] = force_at(i) > 0.0 ? force_at(i) / 1e9 : -1e-3 * abs(i - 510) / 10.0;
         for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
             row[thud_history_energy(h, e)] = 1e3 * (e + 1) * s->time[i];
-        row[thud_history_hysteretic(h)] = 7e3 * s->time[i];
+        row[thud_history_hysteretic(h, 0)] = 7e3 * s->time[i];
         for (int k = 0; k < 2; k++) {
             row[thud_history_storey_drift(h, k)] = 1e-3 * (k + 1) * s->time[i];
             row[thud_history_storey_shear(h, k)] = 2e6 * (k + 1) * sin(s->time[i]);

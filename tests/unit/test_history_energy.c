@@ -67,7 +67,7 @@ START_TEST(ground_is_the_record)
     for (size_t i = 0; i < h->rows; i++) {
         double at = h->time_s[i] / 0.02, part = at - floor(at + 1e-9);
         int k = (int)floor(at + 1e-9);
-        double ground = h->value[i * (size_t)h->columns + (size_t)thud_history_ground()];
+        double ground = h->value[i * (size_t)h->columns + (size_t)thud_history_ground(h, 0)];
         if (fabs(at - (SAMPLES - 1)) < 1e-6)
             continue; /* there it jumps to nothing */
         double wanted = k < SAMPLES - 1 ? a[k] + part * (a[k + 1] - a[k]) : 0.0;

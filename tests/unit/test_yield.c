@@ -544,7 +544,7 @@ START_TEST(histories_show_the_loops)
         ck_assert_double_eq_tol(area, storey->hysteretic_j, 2e-3 * r->energy.hysteretic_j);
     }
     const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
-    ck_assert_double_eq_tol(last[thud_history_hysteretic(h)] / r->energy.hysteretic_j, 1, 1e-9);
+    ck_assert_double_eq_tol(last[thud_history_hysteretic(h, 0)] / r->energy.hysteretic_j, 1, 1e-9);
     thud_run_free(run);
     thud_model_free(model);
     thud_record_free(record);

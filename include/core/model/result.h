@@ -2,6 +2,7 @@
  */
 #pragma once
 
+#include <assert.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -158,33 +159,49 @@ struct thud_result {
     const char *reason; /* why `auto` selected it; "" if it was named */
 };
 
-/* Sampled histories, one row per time; at jumps the time appears twice. The columns are:
- *     a_g; u, v, a_total of each floor (ndof each); force and indentation of each contact
- *     energies: input, kinetic, strain, viscous, contact
- *     if storeys yield or links slip: the energy lost in them, then drift, shear, plastic drift of each (nstoreys)
- *     shears at the lower and upper end of struck columns (nstruck)
- *     of each link, its force (> 0: it pushes its ends apart) and the approach of its ends
- *     with P-Delta: work of the weight */
+/* Columns of a history in their order: X(function, number of columns of its quantity). Energies: input, kinetic, strain,
+ * viscous, contact. A link's force is above 0 where it pushes its ends apart; its stroke is their approach. */
+#define THUD_HISTORY_LIST(X)                                                                                           \
+    X(thud_history_ground, 1)                                                                                          \
+    X(thud_history_displacement, h->ndof)                                                                              \
+    X(thud_history_velocity, h->ndof)                                                                                  \
+    X(thud_history_acceleration, h->ndof) /* total */                                                                  \
+    X(thud_history_force, h->ncontacts)                                                                                \
+    X(thud_history_indentation, h->ncontacts)                                                                          \
+    X(thud_history_energy, THUD_HISTORY_ENERGIES)                                                                      \
+    X(thud_history_hysteretic, h->loses) /* energy lost in storeys and links of friction */                            \
+    X(thud_history_storey_drift, h->nstoreys)                                                                          \
+    X(thud_history_storey_shear, h->nstoreys)                                                                          \
+    X(thud_history_storey_plastic, h->nstoreys)                                                                        \
+    X(thud_history_column_shear, 2 * h->nstruck) /* at the lower and the upper end of struck columns */                \
+    X(thud_history_link_force, h->nlinks)                                                                              \
+    X(thud_history_link_stroke, h->nlinks)                                                                             \
+    X(thud_history_gravity, h->weighs) /* work of the weight */
+enum { THUD_HISTORY_ENERGIES = 5 };
+enum thud_history_quantity {
+#define THUD_HISTORY(name, count) name##_at,
+    THUD_HISTORY_LIST(THUD_HISTORY) THUD_HISTORY_QUANTITIES
+#undef THUD_HISTORY
+};
+
+/* Sampled histories, one row per time; at jumps the time appears twice. */
 struct thud_history {
     int ndof, ncontacts, nstoreys, nstruck, nlinks, columns;
-    bool loses;  /* storeys yield or links slip */
-    bool weighs; /* P-Delta */
+    bool loses;                             /* storeys yield or links slip */
+    bool weighs;                            /* P-Delta */
+    int first[THUD_HISTORY_QUANTITIES + 1]; /* columns of the quantities, and what comes after */
     size_t rows;
     double *time_s; /* (rows) */
     double *value;  /* (rows x columns), row-major */
 };
-enum { THUD_HISTORY_ENERGIES = 5 };
-/* Return the columns of quantities. */
-int thud_history_ground(void);
-int thud_history_displacement(const struct thud_history *h, int dof);
-int thud_history_velocity(const struct thud_history *h, int dof);
-int thud_history_acceleration(const struct thud_history *h, int dof);
-int thud_history_force(const struct thud_history *h, int contact);
-int thud_history_indentation(const struct thud_history *h, int contact);
-int thud_history_energy(const struct thud_history *h, int which); /* 0 input ... 4 contact */
-int thud_history_hysteretic(const struct thud_history *h);
-int thud_history_storey_drift(const struct thud_history *h, int storey);
-int thud_history_storey_shear(const struct thud_history *h, int storey);
-int thud_history_storey_plastic(const struct thud_history *h, int storey);
-int thud_history_link_force(const struct thud_history *h, int link);
-int thud_history_link_stroke(const struct thud_history *h, int link);
+/* Fills first and columns. */
+void thud_history_lay_out(struct thud_history *h);
+/* Each function of the list returns the column of the floor, contact, energy, storey or link of this index, else of 0. */
+#define THUD_HISTORY(name, count)                                                                                      \
+    static inline int name(const struct thud_history *h, int index)                                                    \
+    {                                                                                                                  \
+        assert(index >= 0 && h->first[name##_at] + index < h->first[name##_at + 1]);                                   \
+        return h->first[name##_at] + index;                                                                            \
+    }
+THUD_HISTORY_LIST(THUD_HISTORY)
+#undef THUD_HISTORY

@@ -7,8 +7,8 @@
  *     twice at a moment  where something jumps: the row before an event and the one behind it, or both sides of the end of
  *                        a record whose last sample is not 0
  *
- * Energies are those of the run's ledger at the segment's start, and what the segment adds up to the row. Columns stand as
- * the functions thud_history_... say, of which each adds the counts of those before it: only here does the order count. */
+ * Energies are those of the run's ledger at the segment's start, and what the segment adds up to the row. Columns stand
+ * in the order of THUD_HISTORY_LIST. */
 #include "core/observe/observe_history.h"
 
 #include <assert.h>
@@ -24,81 +24,16 @@
 
 enum { SHEARS = 2 }; /* of struck columns */
 
-int thud_history_ground(void)
+void thud_history_lay_out(struct thud_history *h)
 {
-    return 0;
-}
-int thud_history_displacement(const struct thud_history *h, int dof)
-{
-    (void)h;
-    assert(dof >= 0 && dof < h->ndof);
-    return 1 + dof;
-}
-int thud_history_velocity(const struct thud_history *h, int dof)
-{
-    assert(dof >= 0 && dof < h->ndof);
-    return 1 + h->ndof + dof;
-}
-int thud_history_acceleration(const struct thud_history *h, int dof)
-{
-    assert(dof >= 0 && dof < h->ndof);
-    return 1 + 2 * h->ndof + dof;
-}
-int thud_history_force(const struct thud_history *h, int contact)
-{
-    assert(contact >= 0 && contact < h->ncontacts);
-    return 1 + 3 * h->ndof + contact;
-}
-int thud_history_indentation(const struct thud_history *h, int contact)
-{
-    assert(contact >= 0 && contact < h->ncontacts);
-    return 1 + 3 * h->ndof + h->ncontacts + contact;
-}
-int thud_history_energy(const struct thud_history *h, int which)
-{
-    assert(which >= 0 && which < THUD_HISTORY_ENERGIES);
-    return 1 + 3 * h->ndof + 2 * h->ncontacts + which;
-}
-
-int thud_history_hysteretic(const struct thud_history *h)
-{
-    return 1 + 3 * h->ndof + 2 * h->ncontacts + THUD_HISTORY_ENERGIES;
-}
-static int gravity_column(const struct thud_history *h)
-{
-    assert(h->weighs);
-    return h->columns - 1;
-}
-int thud_history_storey_drift(const struct thud_history *h, int storey)
-{
-    assert(storey >= 0 && storey < h->nstoreys);
-    return thud_history_hysteretic(h) + 1 + storey;
-}
-int thud_history_storey_shear(const struct thud_history *h, int storey)
-{
-    assert(storey >= 0 && storey < h->nstoreys);
-    return thud_history_hysteretic(h) + 1 + h->nstoreys + storey;
-}
-int thud_history_storey_plastic(const struct thud_history *h, int storey)
-{
-    assert(storey >= 0 && storey < h->nstoreys);
-    return thud_history_hysteretic(h) + 1 + 2 * h->nstoreys + storey;
-}
-static int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear)
-{
-    int storeys = h->loses + 3 * h->nstoreys;
-    return thud_history_hysteretic(h) + storeys + SHEARS * column + (int)shear;
-}
-
-int thud_history_link_force(const struct thud_history *h, int link)
-{
-    assert(link >= 0 && link < h->nlinks);
-    return thud_history_column(h, h->nstruck, 0) + link;
-}
-int thud_history_link_stroke(const struct thud_history *h, int link)
-{
-    assert(link >= 0 && link < h->nlinks);
-    return thud_history_column(h, h->nstruck, 0) + h->nlinks + link;
+    const int count[] = {
+#define THUD_HISTORY(name, count) count,
+        THUD_HISTORY_LIST(THUD_HISTORY)
+#undef THUD_HISTORY
+    };
+    for (int i = 0; i < THUD_HISTORY_QUANTITIES; i++)
+        h->first[i + 1] = h->first[i] + count[i];
+    h->columns = h->first[THUD_HISTORY_QUANTITIES];
 }
 
 enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const struct thud_model *model,
@@ -114,9 +49,7 @@ enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const st
     rows->history.nstruck = model->ncolumns;
     rows->history.nlinks = model->nlinks;
     rows->history.weighs = model->collapses;
-    rows->history.columns = 1 + 3 * model->ndof + 2 * model->npairs + THUD_HISTORY_ENERGIES + rows->history.loses +
-                            3 * rows->history.nstoreys + SHEARS * model->ncolumns + 2 * model->nlinks +
-                            model->collapses;
+    thud_history_lay_out(&rows->history);
     rows->work = calloc(3 * (size_t)model->nmodes + (size_t)model->nrows + 1, sizeof *rows->work);
     return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
@@ -166,13 +99,13 @@ static void fill_motion(const struct thud_history *h, const struct thud_state *s
     const double gravity = thud_model_gravity_work(m, q);
     row[thud_history_energy(h, 2)] = strain + thud_storeys_strain(state, q) + gravity;
     if (h->weighs)
-        row[gravity_column(h)] = gravity;
+        row[thud_history_gravity(h, 0)] = gravity;
 }
 
 static void fill_storeys(const struct thud_history *h, const struct thud_state *state, double *row, const double *q)
 {
     if (h->loses)
-        row[thud_history_hysteretic(h)] = thud_storeys_hysteretic(state, q);
+        row[thud_history_hysteretic(h, 0)] = thud_storeys_hysteretic(state, q);
     for (int k = 0; k < h->nstoreys; k++) {
         double drift = thud_model_gap_sum(state->model, state->model->ncontacts + k, q);
         row[thud_history_storey_drift(h, k)] = drift;
@@ -208,7 +141,7 @@ static void fill_columns(const struct thud_history *h, const struct thud_model *
             for (int c = 0; c < m->ncontacts; c++)
                 if (m->contact[c].column == i)
                     value += m->contact[c].per_force[q] * force[c];
-            row[thud_history_column(h, i, (enum thud_column_quantity)q)] = value;
+            row[thud_history_column_shear(h, SHEARS * i + q)] = value;
         }
     }
 }
@@ -247,7 +180,7 @@ static enum thud_status row_at(struct thud_history_rows *rows, const struct thud
             row[thud_history_energy(h, e)] = NAN;
     else
         fill_works(h, rows->ledger, o, s, q, qd, row);
-    row[thud_history_ground()] = thud_observation_ground(o, s);
+    row[thud_history_ground(h, 0)] = thud_observation_ground(o, s);
     thud_observation_forces(o, s, force);
     for (int c = 0; c < m->npairs; c++)
         row[thud_history_force(h, c)] = force[c];

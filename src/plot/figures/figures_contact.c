@@ -278,7 +278,7 @@ struct thud_figure *thud_figure_energies(enum thud_run_figure which, const struc
             thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e],
                              apart[e]);
         if (source[s].history->loses)
-            thud_source_line(panel, &source[s], thud_history_hysteretic(source[s].history), -1, shown.factor,
+            thud_source_line(panel, &source[s], thud_history_hysteretic(source[s].history, 0), -1, shown.factor,
                              source[s].history->nstoreys > 0 ? "yielding" : "friction", apart[THUD_HISTORY_ENERGIES]);
         if (zoom)
             thud_panel_zoom(thud_figure_panel(figure, s, 1, "Around the largest impact"), panel, from, to);

@@ -62,7 +62,7 @@ static double ground_peak(const struct thud_figure_source *source)
     const struct thud_history *h = source->history;
     double peak = 0.0;
     for (size_t i = 0; i < h->rows; i++)
-        peak = fmax(peak, fabs(h->value[i * (size_t)h->columns + (size_t)thud_history_ground()]));
+        peak = fmax(peak, fabs(h->value[i * (size_t)h->columns + (size_t)thud_history_ground(h, 0)]));
     return peak;
 }
 

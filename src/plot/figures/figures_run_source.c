@@ -154,8 +154,8 @@ static void ground_strip(struct thud_panel *panel, const struct thud_figure_sour
 {
     thud_panel_axis(panel, THUD_X, "Time", "s");
     thud_panel_axis(panel, THUD_Y, "Ground", "g");
-    struct thud_series *line =
-        thud_source_line(panel, source, thud_history_ground(), -1, 1.0 / THUD_GRAVITY, "", THUD_COLORS - 1);
+    struct thud_series *line = thud_source_line(panel, source, thud_history_ground(source->history, 0), -1,
+                                                1.0 / THUD_GRAVITY, "", THUD_COLORS - 1);
     if (line)
         line->style.thin = true;
 }
