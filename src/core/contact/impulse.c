@@ -81,16 +81,6 @@ static enum thud_status impulses(const struct thud_state *state, struct collisio
     return solve(state, x, x->impulse, err);
 }
 
-static void apply(struct thud_state *state, const struct collision *x)
-{
-    const struct thud_model *m = state->model;
-    for (int i = 0; i < x->n; i++) {
-        const double *g = m->jacobian + x->set[i] * m->nmodes;
-        for (int j = 0; j < m->nmodes; j++)
-            state->qd[j] -= g[j] * x->impulse[i];
-    }
-}
-
 /* Puts one impact into the results. */
 static enum thud_status note(struct thud_state *state, struct thud_contact_log *log, int c, double before,
                              double impulse, struct thud_error *err)
@@ -248,7 +238,8 @@ enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_cont
     enum thud_status status = impulses(state, &x, err);
     if (status != THUD_OK)
         return status;
-    apply(state, &x);
+    for (int i = 0; i < n; i++)
+        thud_model_apply_contact_force(state->model, set[i], x.impulse[i], state->qd);
     status = check_energy(state, &x, err);
     for (int i = 0; i < n && status == THUD_OK; i++) {
         const bool held = state->contact[set[i]].mode == THUD_STICKING, struck = x.impulse[i] > 0;

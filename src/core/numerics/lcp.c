@@ -4,9 +4,9 @@
 #include "core/numerics/lcp.h"
 
 #include <lapacke.h>
-#include <math.h>
 #include <string.h>
 
+#include "base/largest.h"
 #include "core/numerics/tolerance.h"
 
 /* The shift r, and how often: each time what is left falls by r over the smallest eigenvalue that is not 0. */
@@ -102,20 +102,12 @@ static double complement(int n, const double *m, double more, double q, const do
     return w;
 }
 
-static double largest(int n, const double *q)
-{
-    double size = 0;
-    for (int i = 0; i < n; i++)
-        size = fmax(size, fabs(q[i]));
-    return size;
-}
-
 /* Of M + more D. Errors: THUD_DIVERGED where that is not definite, or the pivots do not end. */
 static enum thud_status pivots(int n, const double *m, double more, const double *q, double *z, double *work,
                                struct thud_error *err)
 {
     double *matrix = work, *rhs = work + (size_t)n * (size_t)n, *basic = rhs + n;
-    const double size = largest(n, q);
+    const double size = thud_largest_size(q, n);
     memset(basic, 0, (size_t)n * sizeof *basic);
     for (long count = 0; count < 1000L * (n + 1); count++) {
         if (!solve_basic(n, m, more, q, basic, z, matrix, rhs))
@@ -149,7 +141,7 @@ enum thud_status thud_lcp_solve(int n, const double *m, const double *q, double 
             return status;
     }
     for (int i = 0; i < n; i++)
-        if (complement(n, m, 0, q[i], z, i) < -THUD_TOL_SOLVABLE * largest(n, q))
+        if (complement(n, m, 0, q[i], z, i) < -THUD_TOL_SOLVABLE * thud_largest_size(q, n))
             return thud_error_set(err, THUD_DIVERGED, "a complementarity problem has no solution");
     return THUD_OK;
 }

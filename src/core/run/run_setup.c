@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "base/quantity.h"
 #include "core/contact/storey.h"
+#include "core/methods/stepping.h"
 #include "core/observe/observe_contacts.h"
 #include "core/run/run_private.h"
 
@@ -146,9 +147,7 @@ static void set_step(struct thud_run *run)
         return;
     if (isnan(state->step_s))
         state->step_s = thud_state_default_step(state);
-    /* equal steps from one sample to the next */
-    double remaining = thud_state_remaining(state);
-    run->result.step_s = remaining / fmax(1, ceil(remaining / state->step_s * (1 - THUD_TOL_STEP_COUNT)));
+    run->result.step_s = thud_step_length(state); /* equal steps from one sample to the next */
 }
 
 /* State, segment and results; all memory but that of the method and of contact-free response. */
