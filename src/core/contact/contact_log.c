@@ -48,17 +48,9 @@ static const char *state_of(const struct thud_state *state, int row)
             return direction == 0 ? "held" : direction > 0 ? "slips, d rising" : "slips, d falling";
         return direction == 0 ? "elastic" : direction > 0 ? "yields, d rising" : "yields, d falling";
     }
-    switch (s->mode) {
-    case THUD_OPEN:
-        return "open";
-    case THUD_CLOSED_NO_FORCE:
-        return "closed without force";
-    case THUD_STICKING:
-        return "sticking";
-    case THUD_CLOSED:
-        break;
-    }
-    return s->phase == THUD_APPROACH ? "closed, approach" : "closed, restitution";
+    if (s->mode == THUD_CLOSED)
+        return s->phase == THUD_APPROACH ? "closed, approach" : "closed, restitution";
+    return s->mode == THUD_OPEN ? "open" : s->mode == THUD_STICKING ? "sticking" : "closed without force";
 }
 
 static double force_of(const struct thud_state *state, int row)

@@ -30,17 +30,10 @@ static int next_event(const struct thud_state *state, int c)
     if (state->contact[c].mode == THUD_OPEN && (flags & THUD_LAW_NO_FORCE || d <= THUD_TOL_INDENTATION_M))
         return -1;
     v = thud_contact_rate(state, c);
-    switch (state->contact[c].mode) {
-    case THUD_OPEN:
-        if (flags & THUD_LAW_IMPULSIVE && v <= 0)
-            return -1;
-        return THUD_EVENT_ONSET;
-    case THUD_STICKING: /* an impulse has brought it to rest: looked at afresh */
+    if (state->contact[c].mode == THUD_OPEN)
+        return flags & THUD_LAW_IMPULSIVE && v <= 0 ? -1 : THUD_EVENT_ONSET;
+    if (state->contact[c].mode == THUD_STICKING) /* an impulse has brought it to rest: looked at afresh */
         return THUD_EVENT_UNSTICK_OUT;
-    case THUD_CLOSED:
-    case THUD_CLOSED_NO_FORCE:
-        break;
-    }
     return closed_event(state, c, d, v);
 }
 
