@@ -111,6 +111,8 @@ struct thud_law {
     /* Gives the n-th (from 0) remark on unusual combinations of values, with the parameter as key; false: no more. */
     bool (*unusual)(const struct thud_law_setup *setup, int n, struct thud_error *out);
 };
+/* A law's parameters: an array. */
+#define THUD_LAW_PARAMS(array) .params = (array), .nparams = sizeof(array) / sizeof *(array)
 
 /* Returns whether a contact is propagated exactly; this includes impulses. */
 static inline bool thud_law_is_linear(const struct thud_law *law)

@@ -106,6 +106,7 @@ enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_se
 {
     int spring = thud_law_spring(law);
     setup->law = law;
+    memset(setup->constant, 0, sizeof setup->constant);
     if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE)
         return thud_error_refuse(err, THUD_INPUT, "law", "another law, or columns without EI and stiffness",
                                  "flexible columns need a contact force, but %s has impulses", law->name);

@@ -25,18 +25,23 @@
      .fallback = THUD_HERTZ_STIFFNESS, .least = 0, .most = NAN, .least_open = true,                \
      .soft_least = NAN, .soft_most = NAN}
 
-#define THUD_PARAM_RESTITUTION(value)                                                               \
-    {.name = "restitution", .title = "coefficient of restitution",                                  \
-     .help = "Separation over approach velocity of two free bodies.",                             \
+/* above_0: 0, the plastic impact, is refused */
+#define THUD_PARAM_RESTITUTION_OF(value, above_0, words)                                            \
+    {.name = "restitution", .title = "coefficient of restitution", .help = (words),                 \
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_NUMBER, .unit = "",                             \
-     .fallback = (value), .least = 0, .most = 1, .least_open = true,                                \
+     .fallback = (value), .least = 0, .most = 1, .least_open = (above_0),                           \
      .soft_least = 0.3, .soft_most = 0.95}
+#define THUD_PARAM_RESTITUTION(value)                                                               \
+    THUD_PARAM_RESTITUTION_OF(value, true, "Separation over approach velocity of two free bodies.")
 
+#define THUD_PARAM_ONE_OF(name_, title_, words, first, choices_)                                    \
+    {.name = (name_), .title = (title_), .help = (words),                                           \
+     .kind = THUD_PARAM_CHOICE, .dimension = THUD_NUMBER, .unit = "", .fallback = (first),          \
+     .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = (choices_)}
 #define THUD_PARAM_DAMPING                                                                          \
-    {.name = "damping", .title = "damping from restitution",                                        \
-     .help = "paper: the published formula; exact: the bodies really part with the restitution.",   \
-     .kind = THUD_PARAM_CHOICE, .dimension = THUD_NUMBER, .unit = "", .fallback = THUD_DAMPING_PAPER, \
-     .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = thud_damping_choices}
+    THUD_PARAM_ONE_OF("damping", "damping from restitution",                                        \
+                      "paper: the published formula; exact: the bodies really part with the restitution.", \
+                      THUD_DAMPING_PAPER, thud_damping_choices)
 
 #define THUD_PARAM_EXPONENT(value)                                                                  \
     {.name = "exponent", .title = "exponent n",                                                     \

@@ -30,8 +30,7 @@ const struct thud_law thud_law_hertz = {
                  "Jing and Young, Earthquake Engineering and Structural Dynamics 20 (1991) 667-681; "
                  "Chau and Wei, Earthquake Engineering and Structural Dynamics 30 (2001) 633-651",
     .summary = "F = k d^1.5",
-    .params = params,
-    .nparams = sizeof params / sizeof params[0],
+    THUD_LAW_PARAMS(params),
     .branch = branch,
     .elastic_energy = elastic_energy,
     .nominal = thud_law_nominal_one,

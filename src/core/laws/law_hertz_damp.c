@@ -18,18 +18,10 @@ static const struct thud_param params[] = {
     THUD_PARAM_HERTZ_STIFFNESS,
     THUD_PARAM_EXPONENT(1.5),
     THUD_PARAM_RESTITUTION(0.6),
-    {.name = "formula",
-     .title = "damping from restitution",
-     .help = "muthukumar: s = 3(1-e^2)/4; hunt-crossley: 3(1-e)/2; ye-flores: 8(1-e)/(5e); exact: parts with e.",
-     .kind = THUD_PARAM_CHOICE,
-     .dimension = THUD_NUMBER,
-     .unit = "",
-     .fallback = MUTHUKUMAR,
-     .least = NAN,
-     .most = NAN,
-     .soft_least = NAN,
-     .soft_most = NAN,
-     .choices = formula_choices},
+    THUD_PARAM_ONE_OF(
+        "formula", "damping from restitution",
+        "muthukumar: s = 3(1-e^2)/4; hunt-crossley: 3(1-e)/2; ye-flores: 8(1-e)/(5e); exact: parts with e.", MUTHUKUMAR,
+        formula_choices),
     THUD_PARAM_SPEED_FLOOR,
 };
 
@@ -85,8 +77,7 @@ const struct thud_law thud_law_hertz_damp = {
         "ye-flores: Ye, Li and Zhu, Earthquake Engineering and Structural Dynamics 38 (2009) 1135-1142; "
         "Flores, Machado, Silva and Martins, Multibody System Dynamics 25 (2011) 357-375",
     .summary = "F = k d^n (1 + s v/v0), s from e by the formula chosen",
-    .params = params,
-    .nparams = sizeof params / sizeof params[0],
+    THUD_LAW_PARAMS(params),
     .prepare = prepare,
     .onset = onset,
     .branch = branch,

@@ -3,18 +3,7 @@
  * Assumes that nothing is lost: two free bodies part as fast as they met. Not for damped contact. */
 #include "core/laws/law_common.h"
 
-enum { STIFFNESS };
-
 static const struct thud_param params[] = {THUD_PARAM_STIFFNESS};
-
-static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_ultimate)
-{
-    (void)memory;
-    (void)phase;
-    (void)past_ultimate;
-    return (struct thud_branch){.k_npm = setup->value[STIFFNESS]};
-}
 
 const struct thud_law thud_law_linear = {
     .name = "linear",
@@ -22,9 +11,8 @@ const struct thud_law thud_law_linear = {
     .reference = "Maison and Kasai, Journal of Structural Engineering 116 (1990) 957-977",
     .summary = "F = k d",
     .flags = THUD_LAW_LINEAR | THUD_LAW_DEGREE_ONE,
-    .params = params,
-    .nparams = sizeof params / sizeof params[0],
-    .branch = branch,
+    THUD_LAW_PARAMS(params),
+    .branch = thud_law_branch_viscoelastic, /* with a dashpot of 0 */
     .elastic_energy = thud_law_energy_line,
     .nominal = thud_law_nominal_one,
     .restitution = thud_law_restitution_one,

@@ -36,7 +36,6 @@ static const char *const speed_choices[] = {"touch", "energy", NULL};
 static const double least_energy_speed = 1e-9;
 
 /* clang-format off */
-#define NO_BOUNDS .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN
 static const struct thud_param params[] = {
     [STIFFNESS] = {.name = "stiffness", .title = "bumper stiffness",
      .help = "Force at an indentation of 1 mm, the exponent in its unit; or give alpha, area, material-stiffness.",
@@ -55,14 +54,12 @@ static const struct thud_param params[] = {
      .soft_least = NAN, .soft_most = NAN},
     [RESTITUTION] = THUD_PARAM_RESTITUTION(0.5),
     [DAMPING] = THUD_PARAM_DAMPING,
-    [UNLOADING] = {.name = "unloading", .title = "restitution past the ultimate strain",
-     .help = "paper: eq. (5) as printed, which drops to the power curve; continuous: from the approach curve.",
-     .kind = THUD_PARAM_CHOICE, .dimension = THUD_NUMBER, .unit = "", .fallback = UNLOADING_PAPER, NO_BOUNDS,
-     .choices = unloading_choices},
-    [IMPACT_SPEED] = {.name = "impact-speed", .title = "approach velocity of the damping",
-     .help = "touch: the approach velocity at contact onset; energy: at each turn, from the energy stored then.",
-     .kind = THUD_PARAM_CHOICE, .dimension = THUD_NUMBER, .unit = "", .fallback = SPEED_TOUCH, NO_BOUNDS,
-     .choices = speed_choices},
+    [UNLOADING] = THUD_PARAM_ONE_OF("unloading", "restitution past the ultimate strain",
+     "paper: eq. (5) as printed, which drops to the power curve; continuous: from the approach curve.",
+     UNLOADING_PAPER, unloading_choices),
+    [IMPACT_SPEED] = THUD_PARAM_ONE_OF("impact-speed", "approach velocity of the damping",
+     "touch: the approach velocity at contact onset; energy: at each turn, from the energy stored then.",
+     SPEED_TOUCH, speed_choices),
     [SPEED_FLOOR] = THUD_PARAM_SPEED_FLOOR,
     [ALPHA] = {.name = "alpha", .title = "stiffening factor",
      .help = "Factor of eq. (6), with area and material-stiffness instead of stiffness.",
@@ -233,8 +230,7 @@ const struct thud_law thud_law_rubber = {
                  "Polycarpou and Komodromos, COMPDYN 2011, Corfu, eqs. (4)-(7)",
     .summary = "approach F = k d^n, past the ultimate strain a line; restitution F = k d^n (1 + C v)",
     .flags = THUD_LAW_REVERSES,
-    .params = params,
-    .nparams = sizeof params / sizeof params[0],
+    THUD_LAW_PARAMS(params),
     .prepare = prepare,
     .onset = onset,
     .reversal = reversal,

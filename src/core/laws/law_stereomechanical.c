@@ -6,18 +6,8 @@
 
 enum { RESTITUTION };
 
-/* As THUD_PARAM_RESTITUTION, and 0: the plastic impact, after which both sides go on together. */
-static const struct thud_param params[] = {{.name = "restitution",
-                                            .title = "coefficient of restitution",
-                                            .help = "Separation over approach velocity of two free bodies; 0: plastic.",
-                                            .kind = THUD_PARAM_QUANTITY,
-                                            .dimension = THUD_NUMBER,
-                                            .unit = "",
-                                            .fallback = 0.6,
-                                            .least = 0,
-                                            .most = 1,
-                                            .soft_least = 0.3,
-                                            .soft_most = 0.95}};
+static const struct thud_param params[] = {THUD_PARAM_RESTITUTION_OF(
+    0.6, false, "Separation over approach velocity of two free bodies; 0: plastic.")}; /* both sides go on together */
 
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
@@ -32,7 +22,6 @@ const struct thud_law thud_law_stereomechanical = {
                  "Papadrakakis and Mouzakis, Earthquake Engineering and Structural Dynamics 24 (1995) 811-834",
     .summary = "no force: at d = 0, v > 0 an impulse (1 + e) m v on each side",
     .flags = THUD_LAW_IMPULSIVE | THUD_LAW_DEGREE_ONE,
-    .params = params,
-    .nparams = sizeof params / sizeof params[0],
+    THUD_LAW_PARAMS(params),
     .restitution = restitution,
 };
