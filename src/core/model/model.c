@@ -1,5 +1,5 @@
-/* A model out of its input, in one block of memory: its room is reckoned first (model_bytes), then every array is taken
- * from it in the same order.
+/* A model out of its input, in one block of memory: the arrays of the whole, and room for those of its parts, which is
+ * reckoned first (part_bytes) and from which they are taken in the same order.
  *
  * The order of filling is that of what needs what:
  *
@@ -50,20 +50,14 @@ static bool yields(const struct thud_structure_input *in, int i)
     return in->stiffness_npm && in->yield_m && isfinite(in->yield_m[i]) && in->hardening[i] < 1;
 }
 
-/* Room for the model and all its arrays, in the order in which they are taken: one allocation. */
-static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nc, size_t nstoreys)
+/* Room for the arrays of single structures and contacts. */
+static size_t part_bytes(const struct thud_model_input *in)
 {
-    size_t bytes = thud_arena_room(1, sizeof(struct thud_model));
-    bytes += thud_arena_room((size_t)in->nstructures, sizeof(struct thud_model_structure));
-    bytes += thud_arena_room(nstoreys, sizeof(struct thud_model_storey));
-    bytes += thud_arena_room(nc, sizeof(struct thud_model_contact)) + thud_arena_room(ndof, sizeof(int));
-    bytes += thud_arena_room(nc, sizeof(struct thud_model_column));
+    size_t bytes = 0;
     for (int c = 0; c < in->ncontacts; c++)
         bytes += in->contact[c].struck.side
                      ? 2 * thud_arena_room((size_t)struck_modes(in, &in->contact[c]), sizeof(double))
                      : 0;
-    bytes += 2 * thud_arena_room(ndof, sizeof(double)) + 9 * thud_arena_room(nmodes, sizeof(double));
-    bytes += thud_arena_room(nc * nmodes, sizeof(double)) + thud_arena_room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
         size_t n = (size_t)thud_input_dofs(&in->structure[s]),
                kept = (size_t)thud_input_modes(&in->structure[s], in->modes);
@@ -562,7 +556,7 @@ static void fill_delassus(struct thud_model *m)
             m->delassus[a * m->nrows + b] = m->delassus[b * m->nrows + a] = shared_part(m, a, b);
 }
 
-/* The block and its arrays, with each structure's slices. */
+/* The block with the arrays of the whole and room for those of its parts, the arena; and each structure's slices. */
 static struct thud_model *lay_out(const struct thud_model_input *input, const int *system, const bool *tied,
                                   struct thud_arena *arena)
 {
@@ -578,35 +572,28 @@ static struct thud_model *lay_out(const struct thud_model_input *input, const in
         nslips += input->link[i].slip_n > 0;     /* of friction */
     }
     nstoreys += nslips;
-    size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(ncontacts + nstoreys);
-    if (!thud_arena_open(arena,
-                         model_bytes(input, floors, modes, nc, (size_t)nstoreys) + thud_tie_bytes(input, system, tied)))
+    const size_t nc = (size_t)(ncontacts + nstoreys), bytes = part_bytes(input) + thud_tie_bytes(input, system, tied);
+    struct thud_model *m, to = {.nstructures = input->nstructures,
+                                .ndof = ndof,
+                                .nmodes = nmodes,
+                                .npairs = input->ncontacts,
+                                .ncontacts = ncontacts,
+                                .nlinks = input->nlinks,
+                                .nstoreys = nstoreys,
+                                .nslips = nslips,
+                                .nrows = (int)nc};
+    char *rest;
+    if (THUD_LAY(NULL, THUD_PIECE(m, 1), THUD_PIECE(to.structure, to.nstructures),
+                 THUD_PIECE(to.system, to.nstructures), THUD_PIECE(to.link, to.nlinks), THUD_PIECE(to.contact, nc),
+                 THUD_PIECE(to.storey, nstoreys), THUD_PIECE(to.column, nc), THUD_PIECE(to.dof_structure, ndof),
+                 THUD_PIECE(to.mass_kg, ndof), THUD_PIECE(to.ground_influence, ndof), THUD_PIECE(to.omega, nmodes),
+                 THUD_PIECE(to.zeta, nmodes), THUD_PIECE(to.gamma, nmodes), THUD_PIECE(to.spring, nmodes),
+                 THUD_PIECE(to.dashpot, nmodes), THUD_PIECE(to.q0, nmodes), THUD_PIECE(to.qd0, nmodes),
+                 THUD_PIECE(to.mode_max, 2 * nmodes), THUD_PIECE(to.jacobian, nc * (size_t)nmodes),
+                 THUD_PIECE(to.delassus, nc * nc), THUD_PIECE(rest, bytes)) != THUD_OK)
         return NULL;
-    struct thud_model *m = thud_arena_take(arena, 1, sizeof *m);
-    m->nstructures = input->nstructures;
-    m->ndof = ndof;
-    m->nmodes = nmodes;
-    m->npairs = input->ncontacts;
-    m->ncontacts = ncontacts;
-    m->nlinks = input->nlinks;
-    m->nstoreys = nstoreys;
-    m->nslips = nslips;
-    m->nrows = m->ncontacts + nstoreys;
-    m->structure = thud_arena_take(arena, (size_t)input->nstructures, sizeof *m->structure);
-    m->system = thud_arena_take(arena, (size_t)input->nstructures, sizeof *m->system);
-    m->link = thud_arena_take(arena, (size_t)input->nlinks, sizeof *m->link);
-    m->contact = thud_arena_take(arena, nc, sizeof *m->contact);
-    m->storey = thud_arena_take(arena, (size_t)nstoreys, sizeof *m->storey);
-    m->column = thud_arena_take(arena, nc, sizeof *m->column);
-    m->dof_structure = thud_arena_take(arena, floors, sizeof(int));
-    m->mass_kg = thud_arena_take(arena, floors, sizeof(double));
-    m->ground_influence = thud_arena_take(arena, floors, sizeof(double));
-    double **by_mode[] = {&m->omega, &m->zeta, &m->gamma, &m->spring, &m->dashpot, &m->q0, &m->qd0};
-    for (size_t i = 0; i < sizeof by_mode / sizeof *by_mode; i++)
-        *by_mode[i] = thud_arena_take(arena, modes, sizeof(double));
-    m->mode_max = thud_arena_take(arena, 2 * modes, sizeof(double));
-    m->jacobian = thud_arena_take(arena, nc * modes, sizeof(double));
-    m->delassus = thud_arena_take(arena, nc * nc, sizeof(double));
+    *arena = (struct thud_arena){rest, rest + bytes};
+    *m = to;
     struct thud_model_structure next = {0};
     for (int s = 0; s < m->nstructures; s++) {
         next.n = input->structure[s].n;

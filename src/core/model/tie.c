@@ -48,9 +48,7 @@ int thud_tie_systems(const struct thud_model_input *in, int *system, bool *tied)
 
 size_t thud_tie_bytes(const struct thud_model_input *in, const int *system, const bool *tied)
 {
-    size_t bytes = thud_arena_room((size_t)in->nlinks, sizeof(struct thud_model_link)) +
-                   thud_arena_room((size_t)in->nstructures, sizeof(int)),
-           all = 0;
+    size_t bytes = 0, all = 0;
     for (int s = 0; s < in->nstructures; s++)
         all += (size_t)thud_input_modes(&in->structure[s], in->modes);
     for (int s = 0, last; s < in->nstructures; s = last) {

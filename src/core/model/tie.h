@@ -8,7 +8,7 @@
  * returns the number of systems. A system's structures stand one after the other. */
 int thud_tie_systems(const struct thud_model_input *input, int *system, bool *tied);
 
-/* Room in the model's arena for the tied structures and the links. */
+/* Room in the model's arena for the tied structures and the rows of the links. */
 size_t thud_tie_bytes(const struct thud_model_input *input, const int *system, const bool *tied);
 
 /* The structures stand with modes of their own; puts the common modes of a system (its structures' own slices, one after
