@@ -15,6 +15,7 @@
 /* ---- chance: SplitMix64 (Steele, Lea and Flood 2014) ---- */
 
 static unsigned long long state;
+static bool coarse; /* the scene that is drawn is of SCENES_COARSE */
 
 static unsigned long long next(void)
 {
@@ -124,7 +125,7 @@ static void draw_structure(struct thud_structure *s, int index, double mass, boo
     s->storeys = s->kind == THUD_WALL ? 0 : s->kind == THUD_RIGID ? 1 : 1 + below(chance(0.3) ? 12 : 4);
     s->damping = ONE_OF(0, 0.001, 0.02, 0.05, 0.05, 0.05, 0.2, between(0, 0.2), 0.7);
     if (s->kind == THUD_SHEAR || s->kind == THUD_ISOLATED)
-        draw_floors(s, m, extreme ? between_log(0.005, 20) : between_log(0.1, 2));
+        draw_floors(s, m, extreme ? between_log(0.005, 20) : between_log(coarse ? 0.02 : 0.1, 2));
     if (s->kind == THUD_RIGID) {
         s->mass_kg[0] = m;
         s->height_m[0] = chance(0.5) ? NAN : 3.0 * (1 + below(3));
@@ -241,7 +242,9 @@ static void draw_record(struct scenes_one *one)
     double dt = ONE_OF(0.02, 0.01, 0.005, 0.0137, 0.1, 1.0 / 3, 0.02, 0.01), *a = calloc((size_t)n, sizeof *a);
     double w = 2 * THUD_PI / between_log(0.15, 2), most = 0, walk = 0;
     assert(a);
-    n = (n - 1) * dt > 8 ? 1 + (int)(8 / dt) : n;
+    dt = coarse ? between_log(0.08, 0.6) : dt;
+    const double longest_s = coarse ? 20 : 8;
+    n = (n - 1) * dt > longest_s ? 1 + (int)(longest_s / dt) : n;
     n = n < 2 ? 2 : n;
     for (int i = quiet < n ? quiet : 0; i < n; i++) {
         double t = i * dt;
@@ -280,7 +283,7 @@ static void set_value(struct thud_law_choice *choice, const char *name, double v
 /* A law whose contact of this mass takes about a quarter of the period, at indentations near `size_m`. */
 static void draw_law(struct thud_law_choice *choice, const char *name, double mass, double size_m)
 {
-    double w = 2 * THUD_PI / between_log(0.004, 0.3), k = mass * w * w;
+    double w = 2 * THUD_PI / between_log(coarse ? 0.03 : 0.004, coarse ? 10 : 0.3), k = mass * w * w;
     thud_law_choice_init(choice, thud_law_find(name));
     int power = thud_law_param(choice->law, "exponent");
     double n = power >= 0 ? (chance(0.4) ? choice->value[power] : between(1, 4)) : strcmp(name, "hertz") == 0 ? 1.5 : 1;
@@ -469,7 +472,7 @@ static void give_matrix(struct thud_scene *scene, int index)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    const unsigned long long seed = one->seed;
+    const unsigned long long seed = one->seed % SCENES_COARSE;
     const bool mixed = seed >= SCENES_MIXED, soil = mixed ? seed % 3 == 0 : seed >= SCENES_SOIL,
                isolators = mixed || (seed >= SCENES_ISOLATORS && !soil),
                matrices = mixed  ? seed % 7 == 0
@@ -542,6 +545,7 @@ void scenes_draw(struct scenes_one *one, unsigned long long seed)
 {
     state = seed * 0xd1342543de82ef95ull + 1;
     next();
+    coarse = seed >= SCENES_COARSE;
     for (bool drawn = false; !drawn;) {
         *one = (struct scenes_one){.seed = seed};
         drawn = draw(one);
@@ -619,17 +623,19 @@ void scenes_mirror(struct scenes_one *one)
     free(was);
 }
 
-void scenes_halve(struct scenes_one *one)
+void scenes_resample(struct scenes_one *one, int parts)
 {
     if (!one->record)
         return;
     struct thud_record *old = one->record;
-    size_t n = 2 * old->samples - 1;
+    const size_t each = (size_t)parts, n = each * (old->samples - 1) + 1;
     double *a = malloc(n * sizeof *a);
     assert(a);
-    for (size_t i = 0; i < n; i++)
-        a[i] = i % 2 == 0 ? old->a_mps2[i / 2] : 0.5 * (old->a_mps2[i / 2] + old->a_mps2[i / 2 + 1]);
-    replace_record(one, a, n, old->dt_s / 2);
+    for (size_t i = 0; i < n; i++) {
+        const double *from = &old->a_mps2[i / each], part = (double)(i % each) / parts;
+        a[i] = part > 0 ? (1 - part) * from[0] + part * from[1] : from[0];
+    }
+    replace_record(one, a, n, old->dt_s / parts);
     thud_record_free(old);
     free(a);
 }

@@ -38,6 +38,10 @@ struct scenes_one {
  * yield, the weight on drifting storeys, buildings on soil, slabs against columns; a seed's remainders choose what of it. */
 #define SCENES_MIXED 9000000000ull
 
+/* This and any of those seeds: a like scene whose samples are 0.08 s to 0.6 s apart, with stiffer buildings and softer
+ * contacts, which last for up to seconds. */
+#define SCENES_COARSE 100000000000ull
+
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);
 void scenes_clear(struct scenes_one *one);
@@ -48,8 +52,8 @@ void scenes_describe(const struct scenes_one *one, char *text, size_t size);
 
 /* The row and the motion reversed. */
 void scenes_mirror(struct scenes_one *one);
-/* Every interval of the record in two, half way on the line between. */
-void scenes_halve(struct scenes_one *one);
+/* Every interval of the record in so many, on the line between its samples. */
+void scenes_resample(struct scenes_one *one, int parts);
 /* `zeros` samples of nothing after the record, in place of as much of the tail; fewer where that is too short. */
 void scenes_pad(struct scenes_one *one, int zeros);
 /* Every mass, stiffness and dashpot times a power of two, which changes no bit of the motion; false where a law's

@@ -170,18 +170,18 @@ static const double scatter_eps = 2e-9;
 
 static void check_symmetries(struct subject *s)
 {
-    static const char *const names[] = {"mirror", "halved", "padded"};
-    for (int k = 0; k < 3; k++) {
+    static const char *const names[] = {"mirror", "halved", "padded", "resampled"};
+    for (int k = 0; k < 4; k++) {
         struct scenes_one other;
-        if (!asked(s, names[k]))
+        if (!asked(s, names[k]) || (k == 3 && !s->tally->slow && !*s->tally->only)) /* which is slow */
             continue;
         scenes_copy(&other, &s->one);
         if (k == 0)
             scenes_mirror(&other);
-        else if (k == 1)
-            scenes_halve(&other);
-        else
+        else if (k == 2)
             scenes_pad(&other, 7);
+        else
+            scenes_resample(&other, k == 1 ? 2 : 10);
         run_and_hold(s, names[k], &other, &tight, s->linear ? 1e-9 : 1e-7, s->linear ? 1e-11 : scatter_eps, k == 0);
         scenes_clear(&other);
     }

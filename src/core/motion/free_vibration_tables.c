@@ -20,6 +20,9 @@ static void read_mode(struct thud_free_vibration_tables *to, const struct thud_c
         to->work[i][j] = c->input[4 * i + 2];
         to->work[2 + i][j] = c->input[4 * i + 3];
     }
+    if (q[0] ==
+        0) /* a motion that dies out in one interval: 0 is of modes that damping couples, which have no tables */
+        to->e[0][j] = 1e-300;
     for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
         to->viscous[i][j] = c->loss[own[i]];
     for (int i = 0; i < 3; i++) {
