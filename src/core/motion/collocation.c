@@ -100,17 +100,24 @@ static bool is_approach(const struct thud_contact_state *contact)
     return contact && contact->mode == THUD_CLOSED && contact->phase == THUD_APPROACH;
 }
 
+/* Of the force scale, for the error of a step. */
+static double step_tolerance(const struct thud_state *state)
+{
+    return thud_larger(step_part * state->tolerance, THUD_TOL_COLLOCATION);
+}
+
 /* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
- * approach velocity. */
+ * approach velocity. Of a yielding storey it is the yield force: the rest cancels the elastic spring's, but for rounding. */
 static double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a)
 {
     int c = x->active[a];
+    const struct thud_contact_state *contact = thud_row_contact(state, c);
+    const double part = contact ? 1 : THUD_TOL_CANCELLED / step_tolerance(state);
     thud_vec2 most = {x->largest_n[c], thud_contact_least_force(state, c)};
     for (int i = 0; i < x->by->n; i += 2) {
         const thud_vec2 size = thud_vec2_abs(thud_vec2_some(x->force + a * x->by->n + i, i + 1 == x->by->n));
-        most = thud_vec2_larger(size, most);
+        most = thud_vec2_larger(part * size, most);
     }
-    const struct thud_contact_state *contact = thud_row_contact(state, c);
     if (contact && contact->phase == THUD_APPROACH)
         most[0] = thud_larger(most[0], contact->expected_force_n);
     return thud_larger(most[0], most[1]);
@@ -539,7 +546,8 @@ static void start_forces(const struct thud_state *state, struct thud_collocation
         begins->force = thud_row_sticks(state, c)
                             ? state->force_now[c]
                             : law_at(thud_row_branch(state, c), *motion, &begins->by_d, &begins->by_v);
-        x->largest_n[c] = thud_larger(x->largest_n[c], fabs(begins->force));
+        if (thud_row_contact(state, c)) /* of a storey, the yield force */
+            x->largest_n[c] = thud_larger(x->largest_n[c], fabs(begins->force));
     }
 }
 
@@ -716,8 +724,7 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
 {
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    const double tolerance = thud_larger(step_part * state->tolerance, THUD_TOL_COLLOCATION),
-                 ahead = thud_state_remaining(state);
+    const double tolerance = step_tolerance(state), ahead = thud_state_remaining(state);
     double before = INFINITY, error;
     choose_size(x);
     choose_scheme(x);

@@ -105,6 +105,8 @@
 #define THUD_TOL_POLYNOMIAL 4e-12
 /* Part of the force scale: a polynomial through the collocation nodes carries no more than eleven digits. */
 #define THUD_TOL_COLLOCATION 6e-11
+/* Part of a force that cancels another one, below which rounding hides what is left of both: 1e-13 was seen. */
+#define THUD_TOL_CANCELLED 1e-12
 /* m/s2, times the effective mass: least force scale where nothing moves. */
 #define THUD_TOL_LEAST_ACCELERATION_MPS2 1e-9
 /* Part of the peak ground acceleration, times the effective mass: least force scale. */
