@@ -90,6 +90,43 @@ START_TEST(a_dashpot_between_equal_oscillators)
 }
 END_TEST
 
+/* The same beside a body that presses a soft wall all the time, under samples 1 s apart, so that steps of contact turn by
+ * 2 pi: what the dashpot loses is still right to rounding. */
+START_TEST(a_dashpot_beside_a_long_contact)
+{
+    const double m[] = {320e3, 320e3}, w = 2 * 3.141592653589793, k[] = {m[0] * w * w, m[1] * w * w}, zeta = 0.01;
+    const struct march_law soft = march_law("hertz", "stiffness", 1e4, NULL);
+    const struct thud_structure_input s[] = {{.n = 1, .mass_kg = m, .stiffness_npm = k, .velocity_mps = 1},
+                                             {.n = 1, .mass_kg = m + 1, .stiffness_npm = k + 1},
+                                             {.n = 1, .mass_kg = m, .velocity_mps = 0.1},
+                                             {.n = 0}};
+    struct thud_link_input link = first_floors;
+    link.damping_nspm = zeta * m[0] * w;
+    const struct thud_contact_input contact = {.interface = 3,
+                                               .left_structure = 2,
+                                               .left_floor = 1,
+                                               .right_structure = 3,
+                                               .law = soft.law,
+                                               .setup = soft.setup};
+    const struct thud_model_input input = {
+        .nstructures = 4, .structure = s, .ncontacts = 1, .contact = &contact, .nlinks = 1, .link = &link};
+    struct thud_model *model = NULL;
+    struct thud_record *still = NULL;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    ck_assert_int_eq(thud_record_create((const double[]){0, 0, 0, 0}, 4, 1, &still, NULL), THUD_OK);
+    struct march a = march_run(model, still, "exact", 0, 1e-9, true, 0.3);
+    ck_assert_int_eq(a.status, THUD_OK);
+    ck_assert_double_eq_tol(a.result->contact[0].contact_time_s, a.result->end_s, 1e-9);
+    const double t = a.result->end_s, wd = w * sqrt(1 - zeta * zeta), fade = exp(-zeta * w * t),
+                 difference = fade * sin(wd * t) / wd, rate = fade * (cos(wd * t) - zeta * w / wd * sin(wd * t)),
+                 lost = 0.25 * m[0] * (1 - rate * rate - w * w * difference * difference);
+    ck_assert_double_eq_tol(a.result->link[0].lost_j, lost, 1e-11 * lost);
+    march_free(&a);
+    thud_record_free(still);
+    thud_model_free(model);
+}
+END_TEST
+
 /* A spring between them: the difference swings at sqrt(w^2 + 2 k_l/m); its largest stroke and force. */
 START_TEST(a_spring_between_equal_oscillators)
 {
@@ -415,6 +452,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, a_dashpot_between_equal_oscillators, 0, 3);
     tcase_add_test(tcase, ends_follow_the_name_alone);
+    tcase_add_test(tcase, a_dashpot_beside_a_long_contact);
     tcase_add_test(tcase, a_spring_between_equal_oscillators);
     tcase_add_test(tcase, an_elastic_strut_stores);
     tcase_add_loop_test(tcase, friction_stops_a_body, 0, 2);

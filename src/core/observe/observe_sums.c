@@ -73,23 +73,26 @@ static void look(const struct thud_state *state, const struct thud_segment *seg,
     sum->peak->value = fmin(sum->peak->value, sum->limit);
 }
 
-/* Loss in a link's dashpot: of a step whose events are not located by its two ends, which are all that it knows. */
+/* Loss in a link's dashpot, right to rounding for all that a segment may turn by; of a step whose events are not located by
+ * its two ends, which are all that it knows. */
 static double loss(const struct thud_model *m, const struct thud_observation *o, const struct thud_sum *sum,
                    struct reading *kept)
 {
     const struct thud_segment *seg = o->seg;
     const struct thud_motion *a = seg->start, *b = seg->end;
+    const struct thud_lobatto *by = &thud_lobatto[THUD_LOBATTO_RULES - 1];
     const int link = sum->index;
     double power = 0;
     if (b)
         return 0.5 * sum->by_rate * (thud_model_link(m, link, a->qd) + thud_model_link(m, link, b->qd)) *
                (thud_model_link(m, link, b->q) - thud_model_link(m, link, a->q));
     const double *d = read_row(m, seg, sum, sum->row, kept);
-    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
-        double rate = 0, at = o->s * thud_quadrature_node[i];
+    for (int i = -1; i <= by->inner; i++) {
+        const bool inside = i >= 0 && i < by->inner;
+        double rate = 0, at = inside ? o->s * by->node[i] : i < 0 ? 0 : o->s;
         for (int k = seg->terms - 1; k > 0; k--)
             rate = rate * at + k * d[k];
-        power += thud_quadrature_weight[i] * rate * rate;
+        power += (inside ? by->weight[i] : by->end_weight) * rate * rate;
     }
     return sum->by_rate * o->s / seg->h_s * power;
 }
