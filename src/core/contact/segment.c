@@ -267,17 +267,22 @@ static inline void next_order(const struct thud_model *m, struct thud_segment *s
         push_rows(m, seg, of, k, q2);
 }
 
+/* What the tail of the accelerations counts beside that of the displacements, which says little of a stiff mode's. */
+static const double in_accelerations = 1e-4;
+
 double thud_segment_tail(const struct thud_segment *seg, const struct thud_model *model)
 {
     double tail = 0;
     for (int s = 0; s < model->nstructures; s++) {
         const struct thud_model_structure *p = &model->structure[s];
-        double all = 0, last = 0;
+        double all = 0, bend = 0, last = 0;
         for (int k = 0; k < seg->terms; k++) {
             double most = thud_largest_size(seg->q + k * model->nmodes + p->first_mode, p->modes);
             all = thud_larger(all, most);
+            bend = thud_larger(bend, k * (k - 1) * most);
             last = k + 2 < seg->terms ? 0 : thud_larger(last, most);
         }
+        all = thud_smaller(all, bend / (in_accelerations * (seg->terms - 1) * (seg->terms - 2)));
         tail = thud_larger(tail, last == 0 ? 0 : last / all);
     }
     return tail;
