@@ -1,7 +1,8 @@
 /* Random scenes of every family by `exact` and by `dormand-prince`, both at a tolerance of 1e-10.  Each difference of more
  * than 1e-7 is told with what explains it: how much inputs changed by 1e-9 move the number, and whether a finer tolerance takes
  * the one method or the other to the other's number.  usage: pairs [FIRST [COUNT [FAMILY]]]: COUNT of each family, or of
- * the one that begins at seed FAMILY, from seed FIRST on */
+ * the one that begins at seed FAMILY, from seed FIRST on: SCENES_COARSE (100000000000) and above are those with samples far
+ * apart */
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>

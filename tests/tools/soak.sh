@@ -1,7 +1,7 @@
 #!/bin/sh
 # What takes too long for `make test`: memory over a long life, studies killed again and again, every call failing in turn,
 # random scenes by every way that must agree.
-# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES, SOAK_SCENES, SOAK_WIDE, SOAK_PAIRS, SOAK_MIXED, SOAK_AGREE: how much of it.
+# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES, SOAK_SCENES, SOAK_WIDE, SOAK_PAIRS, SOAK_MIXED, SOAK_COARSE, SOAK_COARSE_PAIRS, SOAK_AGREE: how much of it.
 set -u
 build=$1
 THUD=${THUD:-$PWD/thud}
@@ -26,10 +26,14 @@ log=$build/soak.log
         echo "not ok - wide random scenes agree (see $build/wide.log)"
     "$build/cross" 9000000000 "${SOAK_SCENES:-300}" >"$build/cross_mixed.log" && echo "ok - isolators, walls that give, links and all else together" ||
         echo "not ok - isolators, walls that give, links and all else together (see $build/cross_mixed.log)"
+    "$build/cross" 109000000001 "${SOAK_COARSE:-30}" >"$build/cross_coarse.log" && echo "ok - all else together under samples far apart" ||
+        echo "not ok - all else together under samples far apart (see $build/cross_coarse.log)"
     "$build/pairs" 1 "${SOAK_PAIRS:-40}" >"$build/pairs.log" && echo "ok - exact and dormand-prince, where inputs do not explain it" ||
         echo "not ok - exact and dormand-prince, where inputs do not explain it (see $build/pairs.log)"
     "$build/pairs" 1001 "${SOAK_MIXED:-300}" 9000000000 >"$build/pairs_mixed.log" && echo "ok - the same of all of it together" ||
         echo "not ok - the same of all of it together (see $build/pairs_mixed.log)"
+    "$build/pairs" 100000000001 "${SOAK_COARSE_PAIRS:-10}" >"$build/pairs_coarse.log" && echo "ok - the same of each under samples far apart" ||
+        echo "not ok - the same of each under samples far apart (see $build/pairs_coarse.log)"
     "$build/agree" "${SOAK_AGREE:-2000}" >"$build/agree.log" && echo "ok - the factor of first contact by every way that tells it" ||
         echo "not ok - the factor of first contact by every way that tells it (see $build/agree.log)"
     if command -v python3 >/dev/null 2>&1; then python3 tests/soak/sentences.py "$THUD"; else echo "ok - sentences # SKIP no python3"; fi
