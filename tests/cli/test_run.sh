@@ -176,6 +176,10 @@ is "events: as text" gives 0 run towers --events --quiet
 is "events: as many as the result counts" [ "$(($(wc -l <"$tmp/out") - 1))" -eq "$events" ]
 is "events: as JSON" gives 0 run towers --events --json --quiet
 is "events: so many objects" [ "$(grep -c '"time_s"' "$tmp/out")" -eq "$events" ]
+gives 0 run towers --case bumper --set gap=5cm --events --csv --quiet
+# shellcheck disable=SC2016 # of awk
+is "events: in the order of time, also where steps go on behind a separation" awk -F, '
+    NR > 1 { if ($1 < last) exit 1; last = $1; n += $7 == "separation" } END { exit n < 100 }' "$tmp/out"
 is "events: of storeys too" gives 0 run towers-yielding --events --csv --quiet
 # shellcheck disable=SC2016 # of awk
 is "events: a storey yields and unloads in turn" awk -F, '

@@ -223,8 +223,6 @@ START_TEST(grazing)
 }
 END_TEST
 
-/* An undamped swing of 5 cm between two walls, 4 and 4.5 cm away: it strikes them in turn, wherever it began, and as
- * springs lose nothing each is as deep as the energy says. Both come near in one block of free vibration, at other times. */
 /* The same again and again, so shortly that all of a contact lies before the first point at which a step looks for its
  * force. A mass on a spring loses nothing at a Hertz contact: it comes back each time, and the depth follows from its
  * energy. */
@@ -253,6 +251,53 @@ START_TEST(grazing_shorter_than_a_step)
 }
 END_TEST
 
+/* Two masses fly against both sides of a wall and part from it one after the other inside one interval: a step goes on
+ * behind both separations. Hertz's contact lasts as long as the integral over the energy says, and returns the speed. */
+START_TEST(parting_inside_a_step)
+{
+    static const double v[] = {0.5, 0.7}, k = 2e9, n = 1.5;
+    double mass[] = {160e3, 320e3}, soft = 1e-3, wait_s[] = {1e-3, 1.2e-3};
+    struct march_law law = march_law("hertz", "stiffness", k, NULL);
+    struct thud_record *still = march_motion(0);
+    for (int late = 0; late < 2; late++) { /* which of the two parts first */
+        struct thud_structure_input s[3] = {{0}};
+        struct thud_contact_input c[2];
+        for (int i = 0; i < 2; i++) {
+            s[2 * i] = (struct thud_structure_input){
+                .n = 1, .mass_kg = &mass[i], .stiffness_npm = &soft, .velocity_mps = i ? -v[i] : v[i]};
+            c[i] = (struct thud_contact_input){.interface = i + 1,
+                                               .left_floor = 1 - i,
+                                               .right_floor = i,
+                                               .left_structure = i,
+                                               .right_structure = i + 1,
+                                               .clearance_m = v[i] * (wait_s[i] + (i == late ? 4e-3 : 0)),
+                                               .law = law.law,
+                                               .setup = law.setup};
+        }
+        struct thud_model_input input = {.nstructures = 3, .structure = s, .ncontacts = 2, .contact = c};
+        struct thud_model *model = NULL;
+        ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+        struct march m = exact(model, still, 1e-6, 0);
+        for (int i = 0; i < 2; i++) {
+            const double m_i = model->contact[i].setup.mass_kg, q = n + 1,
+                         depth = pow(q * m_i * v[i] * v[i] / (2 * k), 1 / q),
+                         lasts_s = 2 * depth / v[i] * sqrt(THUD_PI) * tgamma(1 + 1 / q) / tgamma(0.5 + 1 / q);
+            ck_assert_int_eq(m.result->contact[i].impacts, 1);
+            ck_assert_double_eq_tol(m.result->contact[i].contact_time_s / lasts_s, 1, 1e-6);
+            ck_assert_double_eq_tol(m.result->contact[i].indentation.value / depth, 1, 1e-6);
+            ck_assert_double_eq_tol(m.result->contact[i].separation_mps / v[i], 1, 1e-6);
+            ck_assert_double_eq_tol(fabs(march_velocity(&m, i)) / v[i], 1, 1e-6);
+        }
+        ck_assert_int_eq(m.run->work.events, 4);
+        march_free(&m);
+        thud_model_free(model);
+    }
+    thud_record_free(still);
+}
+END_TEST
+
+/* An undamped swing of 5 cm between two walls, 4 and 4.5 cm away: it strikes them in turn, wherever it began, and as
+ * springs lose nothing each is as deep as the energy says. Both come near in one block of free vibration, at other times. */
 START_TEST(from_wall_to_wall)
 {
     const double omega = 10, amplitude = 0.05, k = 100, clearance[] = {0.04, 0.045};
@@ -513,6 +558,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_gap_too_wide_to_close_changes_no_bit);
     tcase_add_test(tcase, grazing);
     tcase_add_test(tcase, grazing_shorter_than_a_step);
+    tcase_add_test(tcase, parting_inside_a_step);
     tcase_add_test(tcase, from_wall_to_wall);
     tcase_add_test(tcase, touch_and_release_in_one_step);
     tcase_add_test(tcase, sticking_beyond_the_largest_strain);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
 
 /* The events that end a state of a contact, and what follows. Only the run changes them. */
@@ -71,7 +72,7 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
 {
     struct thud_contact_state *s = &state->contact[c];
     const struct thud_law *law = thud_contact_law(state, c);
-    thud_contact_released(state, log, c);
+    thud_contact_released(state, log, c, thud_state_now(state), thud_contact_rate(state, c));
     if (law->keeps_residual && law->keeps_residual(thud_contact_setup(state, c))) {
         s->residual_m += fmax(thud_contact_indentation(state, c), 0);
         log->contact[c].residual_m = s->residual_m;
@@ -127,7 +128,7 @@ static enum thud_status unstick(struct thud_state *state, struct thud_contact_lo
 {
     struct thud_contact_state *s = &state->contact[c];
     if (thud_contact_law(state, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
-        thud_contact_released(state, log, c);
+        thud_contact_released(state, log, c, thud_state_now(state), thud_contact_rate(state, c));
         return thud_contact_open(state, log, c, 3, err);
     }
     thud_contact_go_on(state, c, event == THUD_EVENT_UNSTICK_IN ? THUD_APPROACH : THUD_RESTITUTION, 2);
@@ -162,7 +163,7 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
         return THUD_OK;
     case THUD_EVENT_SEPARATION:
         if (s->mode == THUD_CLOSED)
-            thud_contact_released(state, log, contact);
+            thud_contact_released(state, log, contact, thud_state_now(state), thud_contact_rate(state, contact));
         return thud_contact_open(state, log, contact, 1, err);
     case THUD_EVENT_RELEASE:
         return release(state, log, contact, err);
@@ -187,4 +188,37 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
         break;
     }
     return unstick(state, log, contact, event, err);
+}
+
+/* Contact c has parted at s of a segment that has gone on behind it. */
+static enum thud_status part(struct thud_state *state, struct thud_contact_log *log, const struct thud_segment *seg,
+                             int c, double s, struct thud_error *err)
+{
+    const double time_s = seg->start_s + s * seg->h_s;
+    double at[3];
+    thud_poly_value3(thud_segment_read(state, seg, c), seg->terms, s, at);
+    if (state->contact[c].mode == THUD_CLOSED)
+        thud_contact_released(state, log, c, time_s, at[1] / seg->h_s);
+    state->work->events++;
+    const bool there = thud_contact_indentation(state, c) >= -THUD_TOL_INDENTATION_M;
+    const enum thud_status status = thud_contact_open(state, log, c, there, err);
+    return status == THUD_OK ? thud_contact_log_event(log, state, time_s, c, THUD_EVENT_SEPARATION, 0, err) : status;
+}
+
+enum thud_status thud_contacts_part(struct thud_state *state, struct thud_contact_log *log,
+                                    const struct thud_segment *seg, double s, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    double *parted = seg->notes->parted;
+    for (int first = 0; first >= 0 && status == THUD_OK;) {
+        first = -1;
+        for (int c = 0; c < state->model->ncontacts; c++)
+            if (parted[c] <= s && (first < 0 || parted[c] < parted[first]))
+                first = c;
+        if (first >= 0) {
+            status = part(state, log, seg, first, parted[first], err);
+            parted[first] = INFINITY;
+        }
+    }
+    return status;
 }

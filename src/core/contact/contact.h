@@ -14,6 +14,11 @@ void thud_contact_moved(struct thud_state *state);
 enum thud_status thud_contact_switch(struct thud_state *state, struct thud_contact_log *log, int contact,
                                      enum thud_event event, struct thud_error *err);
 
+/* Opens the contacts that have parted in the segment, whose end up to s the state is, one after the other. Errors:
+ * THUD_MEMORY. */
+enum thud_status thud_contacts_part(struct thud_state *state, struct thud_contact_log *log,
+                                    const struct thud_segment *seg, double s, struct thud_error *err);
+
 /* contact_update.c, for runs that do not locate: acts on what the state shows; apart: no contact is indented there.
  * Errors: as thud_contact_switch. */
 enum thud_status thud_contact_update(struct thud_state *state, struct thud_contact_log *log, bool apart, bool *switched,

@@ -62,8 +62,8 @@ static double force_of(const struct thud_state *state, int row)
     return state->force_now[row];
 }
 
-enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, int row,
-                                        enum thud_event event, int order, struct thud_error *err)
+enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, double time_s,
+                                        int row, enum thud_event event, int order, struct thud_error *err)
 {
     if (!log->keep_events)
         return THUD_OK;
@@ -72,7 +72,7 @@ enum thud_status thud_contact_log_event(struct thud_contact_log *log, const stru
         return thud_error_set(err, THUD_MEMORY, "out of memory for the list of events");
     log->event = larger;
     const bool falls = event == THUD_EVENT_COLLAPSE; /* its row is beyond those that have a force */
-    log->event[log->nevents++] = (struct thud_event_entry){.time_s = thud_state_now(state),
+    log->event[log->nevents++] = (struct thud_event_entry){.time_s = time_s,
                                                            .row = row,
                                                            .event = thud_event_name(event),
                                                            .guard = thud_event_guard(event),

@@ -29,6 +29,6 @@ void thud_contact_log_begin(struct thud_contact_log *log, int contact, double ti
 enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,
                                       struct thud_error *err);
 /* Adds an event that the state has just been switched by, where events are kept. Errors: THUD_MEMORY. */
-enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, int row,
-                                        enum thud_event event, int order, struct thud_error *err);
+enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, double time_s,
+                                        int row, enum thud_event event, int order, struct thud_error *err);
 void thud_contact_log_clear(struct thud_contact_log *log);

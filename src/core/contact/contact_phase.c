@@ -95,11 +95,12 @@ double thud_impact_restitution(const struct thud_state *state, const struct thud
     return fmax(impact->separation_mps, 0) / impact->approach_mps;
 }
 
-void thud_contact_released(struct thud_state *state, struct thud_contact_log *log, int c)
+void thud_contact_released(struct thud_state *state, struct thud_contact_log *log, int c, double time_s,
+                           double rate_mps)
 {
     struct thud_impact *now = &log->now[c];
-    now->separation_mps = -thud_contact_rate(state, c);
-    now->duration_s = thud_state_now(state) - now->start_s;
+    now->separation_mps = -rate_mps;
+    now->duration_s = time_s - now->start_s;
     now->restitution = thud_impact_restitution(state, now);
     if (!log->counted[c])
         return;

@@ -27,8 +27,9 @@ void thud_contact_go_on(struct thud_state *state, int c, enum thud_phase phase, 
 void thud_contact_renew_branch(const struct thud_state *state, int c, struct thud_contact_state *s);
 /* Changes the mode and keeps the counts of contacts. */
 void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode);
-/* The force has come to its end. */
-void thud_contact_released(struct thud_state *state, struct thud_contact_log *log, int c);
+/* The force has come to its end, at this time and rate of the indentation. */
+void thud_contact_released(struct thud_state *state, struct thud_contact_log *log, int c, double time_s,
+                           double rate_mps);
 /* Leaves `suppressed` coefficients of the indentation out of what the next contact is looked for in: 1 where it is 0, 2
  * where its rate is too, 3 where the bodies had come to rest together. Errors: THUD_MEMORY. */
 enum thud_status thud_contact_open(struct thud_state *state, struct thud_contact_log *log, int c, int suppressed,

@@ -56,7 +56,7 @@ enum thud_status thud_contact_update(struct thud_state *state, struct thud_conta
             *switched = true;
             status = thud_contact_switch(state, log, c, event, err);
             if (status == THUD_OK)
-                status = thud_contact_log_event(log, state, c, event, 0, err);
+                status = thud_contact_log_event(log, state, thud_state_now(state), c, event, 0, err);
             if (state->contact[c].mode == THUD_OPEN || state->contact[c].mode == THUD_STICKING)
                 break; /* it may touch again only at the end of another step */
         }

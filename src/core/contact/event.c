@@ -37,11 +37,11 @@ static const struct guards {
 } guards_of[] = {
     [THUD_OPEN] = {1, {{INDENTATION, 1, THUD_EVENT_ONSET}}},
     [THUD_CLOSED] = {4,
-                     {{FORCE, -1, THUD_EVENT_RELEASE},
-                      {INDENTATION, -1, THUD_EVENT_SEPARATION},
+                     {{INDENTATION, -1, THUD_EVENT_SEPARATION},
+                      {FORCE, -1, THUD_EVENT_RELEASE},
                       {RATE, 0, THUD_EVENT_REVERSAL},
                       {BRANCH, 0, THUD_EVENT_BRANCH}}},
-    [THUD_CLOSED_NO_FORCE] = {2, {{FORCE, 1, THUD_EVENT_REENGAGE}, {INDENTATION, -1, THUD_EVENT_SEPARATION}}},
+    [THUD_CLOSED_NO_FORCE] = {2, {{INDENTATION, -1, THUD_EVENT_SEPARATION}, {FORCE, 1, THUD_EVENT_REENGAGE}}},
     [THUD_STICKING] = {2, {{CONSTRAINT_LOW, -1, THUD_EVENT_UNSTICK_OUT}, {CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN}}},
 };
 
@@ -130,13 +130,19 @@ static double from_end(const struct view *v, double distance)
     return there ? 0 : distance;
 }
 
+/* Coefficients of the force, out (terms). */
+static void read_force(const struct view *v, double *out)
+{
+    for (int k = 0; k < v->seg->terms; k++)
+        out[k] = v->seg->force[k * v->state->model->nrows + v->c];
+}
+
 static void constraint_function(const struct view *v, bool high, double *out)
 {
     const struct thud_state *state = v->state;
     const struct thud_contact_state *s = &state->contact[v->c];
     double rounding = state->model->contact[v->c].setup.mass_kg * thud_contact_rounding(state);
-    for (int k = 0; k < v->seg->terms; k++)
-        out[k] = v->seg->force[k * state->model->nrows + v->c];
+    read_force(v, out);
     out[0] = high ? from_end(v, out[0] - s->constraint_high_n) - rounding
                   : from_end(v, out[0] - s->constraint_low_n) + rounding;
 }
@@ -372,6 +378,26 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
     return first;
 }
 
+/* Whether the segment goes on as it is where the contact parts at s: it does not come back, and has no force any more, or
+ * one that the law lets end there with its slope, and whose polynomial ends as well as the tolerance asks. */
+static bool parts_quietly(const struct view *v, double s)
+{
+    enum { PLACES = 4 };
+    static const double part = 0.1; /* of the tolerance, as for the error of a step */
+    const struct thud_contact_state *contact = &v->state->contact[v->c];
+    const struct thud_branch *b = &contact->branch;
+    const bool ends = b->f0_n == 0 && b->k_npm == 0 && b->c_nspm == 0 && b->soft_m == 0 && b->p > 1 && b->r > 1;
+    double force[THUD_SEGMENT_TERMS], most = 0;
+    if (v->seg->interpolates || !(v->middle[1] + v->reach[1] < 0))
+        return false;
+    if (contact->mode == THUD_CLOSED_NO_FORCE)
+        return true;
+    read_force(v, force);
+    for (int i = 1; i <= PLACES && ends; i++)
+        most = thud_larger(most, fabs(thud_poly_value(force, v->seg->loaded, s + (1 - s) * i / PLACES)));
+    return ends && most <= part * v->state->tolerance * contact->expected_force_n;
+}
+
 double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,
                         enum thud_event *event, int *order)
 {
@@ -386,11 +412,13 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
         if (mode == THUD_OPEN && !may_close(state, seg, c))
             continue;
         struct view v = view_of(state, seg, c, copy);
-        const double limit = thud_smaller(s_end, first);
+        double limit = thud_smaller(s_end, first);
         const struct guards *guards = &guards_of[mode];
         for (const struct guard *guard = guards->guard; guard < guards->guard + guards->count; guard++) {
             const double s = guard_fires(&v, guard, limit, &suppressed);
-            if (s < first) {
+            if (s <= limit && guard->event == THUD_EVENT_SEPARATION && parts_quietly(&v, s)) {
+                seg->notes->parted[c] = limit = s;
+            } else if (s < first) {
                 first = s;
                 *contact = c;
                 *event = guard->event;

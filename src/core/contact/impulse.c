@@ -219,7 +219,7 @@ static enum thud_status hold_or_part(struct thud_state *state, struct thud_conta
         if (x->force[i] >= 0) {
             hold(state, log, c, (enum role)x->role[i], x->force[i]);
         } else if (held) {
-            thud_contact_released(state, log, c);
+            thud_contact_released(state, log, c, thud_state_now(state), thud_contact_rate(state, c));
             status = thud_contact_open(state, log, c, suppressed, err);
         } else if (x->role[i] == STRUCK) {
             state->contact[c].suppressed = (struct thud_suppressed){.indentation = suppressed};

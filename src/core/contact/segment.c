@@ -22,6 +22,15 @@
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
+/* No indentation has been read yet. */
+static void forget(const struct thud_segment *seg, int nrows)
+{
+    for (int c = 0; c < nrows; c++) {
+        seg->notes->cached[c] = -1;
+        seg->notes->parted[c] = INFINITY;
+    }
+}
+
 enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
 {
     const size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
@@ -31,10 +40,12 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
     const enum thud_status status =
         THUD_LAY(err, THUD_PIECE(seg->q, terms * n), THUD_PIECE(notes.bound, 2 * n), THUD_PIECE(seg->force, terms * nc),
                  THUD_PIECE(notes.indentation, terms * nc), THUD_PIECE(notes.floors, ns), THUD_PIECE(notes.drifts, ns),
-                 THUD_PIECE(notes.thirds, ns), THUD_PIECE(seg->row, nc), THUD_PIECE(notes.cached, nc),
-                 THUD_PIECE(seg->notes, 1));
-    if (status == THUD_OK)
+                 THUD_PIECE(notes.thirds, ns), THUD_PIECE(notes.parted, nc), THUD_PIECE(seg->row, nc),
+                 THUD_PIECE(notes.cached, nc), THUD_PIECE(seg->notes, 1));
+    if (status == THUD_OK) {
         *seg->notes = notes;
+        forget(seg, model->nrows);
+    }
     return status;
 }
 
@@ -42,13 +53,6 @@ void thud_segment_clear(struct thud_segment *seg)
 {
     free(seg->q);
     *seg = (struct thud_segment){0};
-}
-
-/* No indentation has been read yet. */
-static void forget(const struct thud_segment *seg, int nrows)
-{
-    for (int c = 0; c < nrows; c++)
-        seg->notes->cached[c] = -1;
 }
 
 /* Bounds of two modes, or one: sums of the sizes of their terms. */

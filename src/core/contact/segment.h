@@ -27,6 +27,7 @@ struct thud_segment_notes {
     double *bound;           /* (nmodes) how far each mode strays in it from going on at its first rate */
     double *floors, *drifts; /* (nstructures) and so any floor, and any storey's drift */
     double *thirds;          /* (nstructures) largest third derivative by s of any floor, where the segment has nodes */
+    double *parted;          /* (nrows) s at which a contact parts and nothing else changes; INFINITY: none does */
 };
 
 /* Rows at the nodes of a collocated step: the first at its start, the last at its end. */

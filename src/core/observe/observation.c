@@ -29,6 +29,8 @@ void thud_observation_forces(const struct thud_observation *o, double s, double 
         force[c] = o->seg->terms > 0 ? 0 : end_at(o, s)->force[c];
         for (int k = o->seg->terms - 1; k >= 0; k--)
             force[c] = force[c] * s + o->seg->force[k * rows + c];
+        if (s >= o->seg->notes->parted[c])
+            force[c] = 0;
     }
 }
 

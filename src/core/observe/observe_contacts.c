@@ -21,6 +21,12 @@ static void raise_both(const struct thud_segment *seg, struct thud_peak *peak, d
     raise_to(peak, of_impact, value, seg->start_s + where * seg->h_s);
 }
 
+/* How far a contact lasts in the segment: it may have parted there before anything switches. */
+static double end_of(const struct thud_observation *o, int c)
+{
+    return thud_smaller(o->s, o->seg->notes->parted[c]);
+}
+
 static void indentation_peak(struct thud_contact_log *log, const struct thud_observation *o, int c)
 {
     struct thud_impact *impact = &log->now[c];
@@ -28,7 +34,7 @@ static void indentation_peak(struct thud_contact_log *log, const struct thud_obs
     const struct thud_segment *seg = o->seg;
     if (o->state->locates &&
         !(seg->nodes && seg->nodes->at[c] >= 0 && o->state->model->contact[c].law->flags & THUD_LAW_REVERSES)) {
-        raise_both(seg, peak, &impact->indentation_m, thud_segment_read(o->state, seg, c), seg->terms, o->s);
+        raise_both(seg, peak, &impact->indentation_m, thud_segment_read(o->state, seg, c), seg->terms, end_of(o, c));
         return;
     }
     /* d' keeps its sign up to the next event; or the step may reach far out of contact, to the other side of 0 */
@@ -57,7 +63,7 @@ static void contact_peaks(struct thud_contact_log *log, const struct thud_observ
     if (!thud_segment_has_force(o->state, o->seg, c))
         return;
     const int terms = force_of(o, c, p);
-    raise_both(o->seg, &log->contact[c].force, &log->now[c].force_n, p, terms, o->s);
+    raise_both(o->seg, &log->contact[c].force, &log->now[c].force_n, p, terms, end_of(o, c));
 }
 
 /* Of a step whose events are not located: its end is all that it knows. */
@@ -84,7 +90,7 @@ static double pushing_s(const struct thud_observation *o, const struct thud_cont
     const struct thud_state *state = o->state;
     double p[THUD_SEGMENT_TERMS];
     if (!(state->model->contact[of->contact].law->flags & THUD_LAW_PULLS))
-        return o->s * seg->h_s;
+        return end_of(o, of->contact) * seg->h_s;
     if (seg->end)
         return of->impulse_ns > 0 ? o->s * seg->h_s : 0;
     const int terms = force_of(o, of->contact, p);

@@ -239,9 +239,9 @@ static double sooner(double best, struct thud_peak peak, double after)
     return peak.value > 0 && peak.time_s > after && peak.time_s < best ? peak.time_s : best;
 }
 
-/* The first time after `after` at which the result has a peak so far, INFINITY where there is none: a row stands there,
- * so that the largest value of a column is the peak. */
-static double next_peak(const struct thud_history_rows *rows, double after)
+/* The first time after `after` at which the result has a peak so far, or a contact parts in the segment, INFINITY where
+ * there is none: a row stands there, so that the largest value of a column is the peak, and forces end where they do. */
+static double next_peak(const struct thud_history_rows *rows, const struct thud_observation *o, double after)
 {
     const struct thud_result *r = rows->result;
     double best = INFINITY;
@@ -256,6 +256,7 @@ static double next_peak(const struct thud_history_rows *rows, double after)
     for (int c = 0; c < r->ncontacts; c++) {
         best = sooner(best, r->contact[c].force, after);
         best = sooner(best, r->contact[c].indentation, after);
+        best = sooner(best, (struct thud_peak){1, o->seg->start_s + o->seg->notes->parted[c] * o->seg->h_s}, after);
     }
     for (int i = 0; i < r->nlinks; i++) {
         best = sooner(best, r->link[i].force, after);
@@ -278,10 +279,10 @@ static enum thud_status peak_rows(struct thud_history_rows *rows, const struct t
                                   struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    double fuzz = THUD_TOL_ROW * rows->step_s, at = next_peak(rows, fmax(t0, last_time(rows)));
+    double fuzz = THUD_TOL_ROW * rows->step_s, at = next_peak(rows, o, fmax(t0, last_time(rows)));
     while (at < t - fuzz && status == THUD_OK) {
         status = row_at(rows, o, (at - t0) / o->seg->h_s, err);
-        at = next_peak(rows, at);
+        at = next_peak(rows, o, at);
     }
     return status;
 }
@@ -334,7 +335,7 @@ static enum thud_status rows_between_contacts(struct thud_history_rows *rows, co
     bool stops = is_stop(o->state->record, t0 + s * h);
     if (status == THUD_OK && (o->switches || stops) && last_time(rows) < t0 + s * h - 1e-3 * fuzz) {
         status = row_at(rows, o, s, err);
-        bool peak = o->seg->end && next_peak(rows, t0) < INFINITY; /* not located: peaks stand at ends */
+        bool peak = o->seg->end && next_peak(rows, o, t0) < INFINITY; /* not located: peaks stand at ends */
         rows->row_waits = !stops && !peak;
     }
     return status;

@@ -70,7 +70,9 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     bool switched = p.switched;
     if (p.s > 0)
         commit(run, &p);
-    if (!run->seg.end) /* else it has been looked at as a proposal */
+    if (p.s > 0)
+        status = thud_contacts_part(&run->state, &run->log, &run->seg, p.s, err);
+    if (status == THUD_OK && !run->seg.end) /* else it has been looked at as a proposal */
         status = thud_run_check_state(run, run->state.q, run->state.qd, err);
     if (status == THUD_OK && falls)
         thud_run_collapse(run, p.contact - run->state.model->nrows);
@@ -79,7 +81,8 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     else if (status == THUD_OK && switched)
         status = thud_contact_switch(&run->state, &run->log, p.contact, p.event, err);
     if (status == THUD_OK && switched)
-        status = thud_contact_log_event(&run->log, &run->state, p.contact, p.event, p.order, err);
+        status = thud_contact_log_event(&run->log, &run->state, thud_state_now(&run->state), p.contact, p.event,
+                                        p.order, err);
     if (status == THUD_OK && !run->state.locates)
         status = thud_contact_update(&run->state, &run->log, run->seg.end && run->seg.end->apart, &switched, err);
     for (int i = 0; i < run->observers && switched && !falls; i++)
