@@ -406,7 +406,7 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
     *contact = -1;
     *order = 0;
     *event = THUD_EVENT_NONE;
-    thud_segment_bounds(seg, state->model);
+    thud_segment_bounds(seg, state->model, s_end);
     for (int c = 0; c < state->model->ncontacts; c++) {
         enum thud_contact_mode mode = state->contact[c].mode;
         if (mode == THUD_OPEN && !may_close(state, seg, c))

@@ -40,11 +40,14 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
     const enum thud_status status =
         THUD_LAY(err, THUD_PIECE(seg->q, terms * n), THUD_PIECE(notes.bound, 2 * n), THUD_PIECE(seg->force, terms * nc),
                  THUD_PIECE(notes.indentation, terms * nc), THUD_PIECE(notes.floors, ns), THUD_PIECE(notes.drifts, ns),
-                 THUD_PIECE(notes.thirds, ns), THUD_PIECE(notes.parted, nc), THUD_PIECE(seg->row, nc),
-                 THUD_PIECE(notes.cached, nc), THUD_PIECE(seg->notes, 1));
+                 THUD_PIECE(notes.thirds, ns), THUD_PIECE(notes.parted, nc), THUD_PIECE(notes.end, 2 * n),
+                 THUD_PIECE(notes.falling, terms), THUD_PIECE(seg->row, nc), THUD_PIECE(notes.cached, nc),
+                 THUD_PIECE(seg->notes, 1));
     if (status == THUD_OK) {
         *seg->notes = notes;
         forget(seg, model->nrows);
+        for (int k = 2; k < THUD_SEGMENT_TERMS; k++)
+            notes.falling[k] = (thud_vec2){1, 1} * (k * (k - 1) * (k - 2));
     }
     return status;
 }
@@ -55,41 +58,49 @@ void thud_segment_clear(struct thud_segment *seg)
     *seg = (struct thud_segment){0};
 }
 
-/* Bounds of two modes, or one: sums of the sizes of their terms. */
-static void two_bounds(const struct thud_segment *seg, int nmodes, int j, bool single)
+/* Bounds of two modes, or one: sums of the sizes of their terms; and their state at s, by Horner's scheme. */
+static inline void read_modes(const struct thud_segment *seg, int nmodes, double s, int j, const bool single)
 {
-    const double *q = seg->q + 2 * nmodes + j;
-    thud_vec2 sum = {0, 0}, third = {0, 0};
-    for (int order = 2; order < seg->terms; order++, q += nmodes) {
-        const thud_vec2 size = thud_vec2_abs(thud_vec2_some(q, single));
+    const struct thud_segment_notes *notes = seg->notes;
+    thud_vec2 x = {0, 0}, v = {0, 0}, sum = {0, 0}, third = {0, 0};
+    const double *q = seg->q + (seg->terms - 1) * nmodes + j;
+    for (int k = seg->terms - 1; k >= 2; k--, q -= nmodes) {
+        const thud_vec2 term = thud_vec2_some(q, single), size = thud_vec2_abs(term);
+        v = v * s + x;
+        x = x * s + term;
         sum += size;
-        third += order * (order - 1) * (order - 2) * size;
+        third += notes->falling[k] * size;
     }
-    thud_vec2_put_some(sum, seg->notes->bound + j, single);
-    thud_vec2_put_some(third, seg->notes->bound + nmodes + j, single);
+    for (int k = 1; k >= 0; k--, q -= nmodes) {
+        v = v * s + x;
+        x = x * s + thud_vec2_some(q, single);
+    }
+    thud_vec2_put_some(sum, notes->bound + j, single);
+    thud_vec2_put_some(third, notes->bound + nmodes + j, single);
+    thud_vec2_put_some(x, notes->end + j, single);
+    thud_vec2_put_some(v / seg->h_s, notes->end + nmodes + j, single);
 }
 
-void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model)
+void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model, double s)
 {
     const int n = model->nmodes;
     for (int j = 0; j + 2 <= n; j += 2)
-        two_bounds(seg, n, j, false);
+        read_modes(seg, n, s, j, false);
     if (n % 2)
-        two_bounds(seg, n, n - 1, true);
-    for (int s = 0; s < model->nstructures; s++) {
-        const struct thud_model_structure *p = &model->structure[s];
+        read_modes(seg, n, s, n - 1, true);
+    seg->notes->end_s = s;
+    for (int i = 0; i < model->nstructures; i++) {
+        const struct thud_model_structure *p = &model->structure[i];
         const double *bound = seg->notes->bound + p->first_mode;
-        seg->notes->floors[s] = thud_dot(p->modes, model->mode_max + p->first_mode, bound);
+        seg->notes->floors[i] = thud_dot(p->modes, model->mode_max + p->first_mode, bound);
         if (model->nstoreys > 0)
-            seg->notes->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, bound);
-        seg->notes->thirds[s] = thud_dot(p->modes, model->mode_max + p->first_mode, bound + n);
+            seg->notes->drifts[i] = thud_dot(p->modes, model->mode_max + n + p->first_mode, bound);
+        seg->notes->thirds[i] = thud_dot(p->modes, model->mode_max + p->first_mode, bound + n);
     }
 }
 
-bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c)
+bool thud_segment_has_any(const struct thud_state *state, const struct thud_segment *seg, int c)
 {
-    if (state->locates || thud_row_acts(state, c))
-        return thud_row_acts(state, c);
     const double *force = seg->force + c;
     for (int k = 0; k < seg->terms; k++)
         if (force[k * state->model->nrows] != 0)

@@ -27,7 +27,9 @@ struct thud_segment_notes {
     double *bound;           /* (nmodes) how far each mode strays in it from going on at its first rate */
     double *floors, *drifts; /* (nstructures) and so any floor, and any storey's drift */
     double *thirds;          /* (nstructures) largest third derivative by s of any floor, where the segment has nodes */
-    double *parted;          /* (nrows) s at which a contact parts and nothing else changes; INFINITY: none does */
+    double *end, end_s;      /* (2 x nmodes) modal state there, and where */
+    thud_vec2_aligned *falling; /* (THUD_SEGMENT_TERMS) k (k - 1) (k - 2) */
+    double *parted;             /* (nrows) s at which a contact parts and nothing else changes; INFINITY: none does */
 };
 
 /* Rows at the nodes of a collocated step: the first at its start, the last at its end. */
@@ -110,10 +112,15 @@ static inline const double *thud_segment_read(const struct thud_state *state, co
     thud_segment_contact(state, seg, c);
     return seg->notes->indentation + c * THUD_SEGMENT_TERMS;
 }
-/* Fills the bounds of the notes. */
-void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model);
-/* Whether the segment holds a force of contact c. */
-bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c);
+/* Fills the bounds of the notes, and the state at s. */
+void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model, double s);
+/* Whether the segment holds a force of contact c: where nothing is located, of one that does not act any more, too. */
+bool thud_segment_has_any(const struct thud_state *state, const struct thud_segment *seg, int c);
+static inline bool thud_segment_has_force(const struct thud_state *state, const struct thud_segment *seg, int c)
+{
+    const bool acts = thud_row_acts(state, c);
+    return acts || (!state->locates && thud_segment_has_any(state, seg, c));
+}
 
 /* Values of all modal coordinates and their rates at s. */
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd);

@@ -173,7 +173,7 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     else
         thud_peaks_row_forces(peaks, state, o->seg);
     if (!state->locates)
-        thud_segment_bounds(o->seg, state->model);
+        thud_segment_bounds(o->seg, state->model, o->s);
     for (int i = 0; i < state->model->nstructures; i++) {
         const double speed = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
         if (thud_response_bound_structure(peaks, state->model, i, speed))

@@ -23,7 +23,10 @@ static enum thud_status observe(struct thud_run *run, const struct thud_proposal
         o.q = run->seg.end->q;
         o.qd = run->seg.end->qd;
     } else {
-        thud_segment_state(&run->seg, run->state.model->nmodes, p->s, run->end, run->end + n);
+        if (run->state.locates && !p->switched && run->seg.notes->end_s == p->s) /* the search for events has read it */
+            memcpy(run->end, run->seg.notes->end, 2 * n * sizeof *run->end);
+        else
+            thud_segment_state(&run->seg, run->state.model->nmodes, p->s, run->end, run->end + n);
     }
     if (run->observers > 0)
         o.works = thud_contact_works(&o, run->contact_work);
