@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "io/file/json.h"
 #include "io/result/result_rows.h"
 #include "io/result/study_rows.h"
@@ -122,15 +123,19 @@ static void put_rate(const struct thud_rate *rate, struct thud_text *out)
 
 static void put_few(const struct thud_suite *suite, struct thud_text *out)
 {
-    int n = suite->ndraws;
+    const int n = suite->ndraws;
+    struct thud_text words = {0};
     if (n < THUD_SHARES_LEAST)
-        thud_text_append(
-            out, "\n%d independent ground motion%s no likelihood: the counts are all there is, without bands.\n", n,
-            n == 1 ? " gives" : "s give");
+        thud_text_append(&words,
+                         "%d independent ground motion%s no likelihood: the counts are all there is, without bands.", n,
+                         n == 1 ? " gives" : "s give");
     else if (n < THUD_DRAWS_LEAST)
-        thud_text_append(out,
-                         "\n%d independent ground motions are too few for a confidence band; at least %d are needed.\n",
+        thud_text_append(&words,
+                         "%d independent ground motions are too few for the band of a median or a curve (at least %d). "
+                         "The shares in fragility.csv and in the figures have bands (Wilson).",
                          n, THUD_DRAWS_LEAST);
+    if (words.size > 0)
+        thud_table_words(out, "\n", &words, 0);
 }
 
 /* Contact that is not monotone in the intensity: the median is that of the first contact. */
@@ -201,8 +206,9 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
             put_axis(along, out);
             thud_text_append(out, ", %d ground motion%s\n", study->suite->nrecords,
                              study->suite->nrecords == 1 ? "" : "s");
-            thud_text_append(out, "  %-*s %-*s %-28s %-*s%s\n", names, "case", width, "at", "50 % (90 % band)",
-                             hazard ? 8 : 10, "dispersion", hazard ? " a year (16 to 84 %)  in 50 y" : "");
+            thud_text_append(out, "  %-*s %-*s %-28s %-*s%s\n", names, "case", width, "at",
+                             study->suite->ndraws < THUD_DRAWS_LEAST ? "50 %" : "50 % (90 % band)", hazard ? 8 : 10,
+                             "dispersion", hazard ? " a year (16 to 84 %)  in 50 y" : "");
         }
         event = line->event;
         axis = line->axis;
