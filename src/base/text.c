@@ -56,15 +56,25 @@ void thud_text_base64(struct thud_text *out, const char *bytes, size_t n)
     }
 }
 
+/* Columns on the screen of so many bytes. */
+static size_t columns_of(const char *text, size_t bytes)
+{
+    int columns = 0;
+    for (const char *end = text + bytes; text < end;)
+        columns += thud_utf8_width(thud_utf8_next(&text));
+    return (size_t)columns;
+}
+
 void thud_text_wrap(struct thud_text *text, const char *words, size_t indent, size_t columns)
 {
-    const char *line = text->data ? strrchr(text->data, '\n') : NULL;
-    size_t column = text->size - (line ? (size_t)(line + 1 - text->data) : 0), from = text->size;
-    for (const char *word = words + strspn(words, " "); *word; word += strspn(word, " ")) {
-        const size_t n = strcspn(word, " "), blank = column > 0 && text->data[text->size - 1] != ' ';
-        const bool fits = column <= indent || column + blank + n <= columns;
+    const char *last = text->data ? strrchr(text->data, '\n') : NULL, *line = last ? last + 1 : text->data;
+    size_t from = text->size, column = from > 0 ? columns_of(line, strlen(line)) : 0;
+    for (const char *word = words + strspn(words, " "); *word && !text->failed; word += strspn(word, " ")) {
+        const size_t n = strcspn(word, " "), width = columns_of(word, n);
+        const size_t blank = column > 0 && text->data[text->size - 1] != ' ';
+        const bool fits = column <= indent || column + blank + width <= columns;
         thud_text_append(text, "%s%*s%.*s", fits ? "" : "\n", (int)(fits ? blank : indent), "", (int)n, word);
-        column = (fits ? column + blank : indent) + n;
+        column = (fits ? column + blank : indent) + width;
         word += n;
     }
     for (; from < text->size; from++)

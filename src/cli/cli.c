@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "app/run/command.h"
+#include "app/run/result_table.h"
 #include "base/nearest.h"
 #include "base/version.h"
 #include "cli/commands.h"
@@ -24,11 +25,20 @@ static command_function *const commands[THUD_COMMANDS] = {
 #undef THUD_COMMAND
 };
 
+void thud_cli_words(const char *words, struct thud_text *out)
+{
+    thud_text_append(out, "  ");
+    thud_text_wrap(out, words, 4, THUD_TABLE_WIDTH);
+    thud_text_append(out, "\n");
+}
+
 void thud_cli_references(const char *reference, struct thud_text *out)
 {
+    char one[400];
     for (const char *next; reference; reference = next ? next + 2 : NULL) {
         next = strstr(reference, "; ");
-        thud_text_append(out, "  %.*s\n", next ? (int)(next - reference) : (int)strlen(reference), reference);
+        snprintf(one, sizeof one, "%.*s", next ? (int)(next - reference) : (int)strlen(reference), reference);
+        thud_cli_words(one, out);
     }
 }
 

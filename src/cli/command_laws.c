@@ -1,6 +1,7 @@
 /* thud laws: the impact laws, each with its parameters and the restitution it really gives. */
 #include <math.h>
 
+#include "app/run/result_table.h"
 #include "base/nearest.h"
 #include "base/param.h"
 #include "cli/commands.h"
@@ -71,10 +72,10 @@ static void add_restitution(const struct thud_law *law, struct thud_text *out)
                              speed_mps);
             return;
         }
-        thud_text_append(out, "  restitution");
-        for (size_t i = 0; i < sizeof nominal / sizeof *nominal; i++)
+        thud_text_append(out, which == 0 ? "  restitution" : "");
+        for (size_t i = 0; which == 0 && i < sizeof nominal / sizeof *nominal; i++)
             thud_text_append(out, "%s %g", i ? "," : "", nominal[i]);
-        thud_text_append(out, " really gives");
+        thud_text_append(out, which == 0 ? "\n   really gives" : "   really gives");
         for (size_t i = 0; i < sizeof nominal / sizeof *nominal; i++)
             thud_text_append(out, "%s %.3f", i ? "," : "", obtained(law, choice, which, nominal[i]));
         if (choice >= 0)
@@ -104,8 +105,8 @@ static void add_curve(const struct thud_law *law, struct thud_text *out)
     const double e = thud_law_restitution(law, &setup, speed_mps), parting_mps = 0.5 * (isnan(e) ? 1 : e) * speed_mps;
     thud_law_reversal(law, &setup, THUD_RESTITUTION, high, &back);
     thud_text_append(out,
-                     "\n  curve of two bodies of 320 t, usual values: force in MN at rest, closing at %g m/s and "
-                     "parting at %.3g m/s\n"
+                     "\n  curve of two bodies of 320 t, usual values: force in MN at rest, closing at\n"
+                     "  %g m/s and parting at %.3g m/s\n"
                      "    indentation mm  at rest      closing   parting\n",
                      speed_mps, parting_mps);
     for (int i = 0; i <= ROWS; i++) {
@@ -121,9 +122,12 @@ static void add_curve(const struct thud_law *law, struct thud_text *out)
     }
 }
 
+enum { INDENT = 33 }; /* of the further lines of a parameter: where its default begins */
+
 static void put_law(const struct thud_law *law, struct thud_text *out)
 {
-    thud_text_append(out, "%s%s: %s\n  %s\n", out->size ? "\n" : "", law->name, law->title, law->summary);
+    thud_text_append(out, "%s%s: %s\n", out->size ? "\n" : "", law->name, law->title);
+    thud_cli_words(law->summary, out);
     thud_cli_references(law->reference, out);
     add_restitution(law, out);
     for (int k = 0; k < law->nparams; k++) {
@@ -131,11 +135,17 @@ static void put_law(const struct thud_law *law, struct thud_text *out)
         thud_text_append(out, "    %-18s %-9s ", p->name, p->kind == THUD_PARAM_CHOICE ? "" : p->unit ? p->unit : "");
         add_fallback(p, out);
         if (p->kind == THUD_PARAM_CHOICE) {
-            thud_text_append(out, "  (");
-            add_choices(p, out);
-            thud_text_append(out, ")");
-        }
-        thud_text_append(out, "  %s\n", p->title);
+            struct thud_text words = {0};
+            thud_text_append(&words, "(");
+            add_choices(p, &words);
+            thud_text_append(&words, ")\t %s", p->title);
+            thud_text_append(out, "  ");
+            thud_text_wrap(out, words.data ? words.data : "", INDENT, THUD_TABLE_WIDTH);
+            thud_text_append(out, "\n");
+            out->failed |= words.failed;
+            thud_text_clear(&words);
+        } else
+            thud_text_append(out, "  %s\n", p->title);
     }
 }
 
@@ -143,8 +153,7 @@ static void table(struct thud_text *out)
 {
     for (int i = 0; i < thud_law_count(); i++)
         put_law(thud_law_at(i), out);
-    thud_text_append(out,
-                     "\nWhat a restitution really gives is that of two free bodies of 320 t that close at 0.5 m/s.\n");
+    thud_text_append(out, "\nThe restitution really given is that of two free bodies of 320 t at 0.5 m/s.\n");
 }
 
 /* One law with its curve. */

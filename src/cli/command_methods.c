@@ -9,7 +9,8 @@ static void table(struct thud_text *out)
     thud_text_append(out, "auto: the exact method; a run says what it came to\n");
     for (int i = 0; i < thud_method_count(); i++) {
         const struct thud_method *m = thud_method_at(i);
-        thud_text_append(out, "\n%s: %s\n  %s\n", m->name, m->title, m->summary);
+        thud_text_append(out, "\n%s: %s\n", m->name, m->title);
+        thud_cli_words(m->summary, out);
         thud_cli_references(m->reference, out);
         thud_text_append(out, "  ");
         if (m->order > 0)
@@ -18,7 +19,8 @@ static void table(struct thud_text *out)
                          m->flags & THUD_METHOD_LOCATES      ? "events located"
                          : m->flags & THUD_METHOD_CAN_LOCATE ? "events located on request"
                                                              : "events not located");
-        thud_text_append(out, "\n  %s\n", m->limits);
+        thud_text_append(out, "\n");
+        thud_cli_words(m->limits, out);
     }
 }
 

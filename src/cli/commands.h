@@ -41,6 +41,8 @@ void thud_cli_warn(const struct thud_error *what);
 /* The remarks of a set of enum thud_remark_about, a warning each; with --quiet only of the ledger. */
 void thud_cli_remarks(const struct thud_args *args, const struct thud_remark_scope *scope, unsigned about);
 
+/* Words indented by 2, in lines of the width of tables. */
+void thud_cli_words(const char *words, struct thud_text *out);
 /* The works that a law or method is from, parted by "; ": a line each. */
 void thud_cli_references(const char *reference, struct thud_text *out);
 

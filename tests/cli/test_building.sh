@@ -97,7 +97,7 @@ is "are in the scene" shows '"gap-by-level": \["10 cm", "10 cm", "12 cm", "none"
 is "and told" gives 0 run towers --case none --set "gap-by-level=[10 cm, 10 cm, 12 cm, none]"
 is "as a range" shows '^interface 1    gap 10 to 12 cm by level'
 is "cases beside each other" gives 0 run towers --cases none --set "gap-by-level=[10 cm, 10 cm, 12 cm, 37 cm]" --quiet
-is "tell the gap of the floor that needs most" shows 'at gaps of .* or more (here 37 cm); floor 4 governs'
+is "tell the gap of the floor that needs most" in_lines ' or more (here 37 cm); floor 4 governs'
 is "a list that is too short" gives 3 run towers --set "gap-by-level=[10 cm, 12 cm]"
 is "names what can meet" says 'interfaces.1.gap-by-level: the list has 2 values, and 4 pairs can meet (from the lowest up: 1-1, 2-2, 3-3, 4-4)'
 sed 's/^  - gap: 10 cm$/  - gap: 10 cm # property line\n    gap-by-level: [12 cm, none, none, none] # a setback/' presets/towers.yaml >"$tmp/levels.yaml"

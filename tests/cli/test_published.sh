@@ -15,7 +15,7 @@ is "checks have a heading and a count of their own" shows '^3 identities and cro
 is "under which a symmetry stands, and no published number" \
     sh -c "sed -n '/^Identities and cross-checks/,\$p' '$tmp/out' | grep -q 'Two equal oscillators' && ! sed -n '/^Identities/,\$p' '$tmp/out' | grep -q 'ANSYS'"
 is "the pendulum is held against OpenSees' own number" shows 'largest displacement, OpenSees  *0.034029  *0.034[0-9]* m  *+0.21 %'
-is "what is missing is named" shows 'skipped: needs El Centro 1940'
+is "what is missing is named" in_lines ' needs El Centro 1940, component S00E'
 is "it says what is not validated" shows '^Not validated: the pounding of buildings'
 is "and claims no more than was run" [ "$(grep -c 'storey forces' "$tmp/out")" -eq 0 ]
 is "as JSON" gives 0 verify --published --json

@@ -80,6 +80,26 @@ for how in "" --events --csv --json; do
     is "mixed-row${how:+ }$how shows no -0" sh -c '! "$1" run mixed-row $3 --quiet 2>/dev/null | grep -qE -e "$2"' sh "$THUD" "$minus" $how
 done
 
+# sentences, and the tables of scenes with short names, fit into the narrowest terminal
+while read -r line; do
+    # shellcheck disable=SC2086 # words
+    is "thud $line" gives 0 $line
+    is "fits into 80 columns" [ "$(LC_ALL=C.UTF-8 grep -c '.\{81\}' "$tmp/out")" = 0 ]
+done <<END
+laws
+methods
+run towers --cases none,bumper --quiet
+run towers-linked --cases none,link --quiet
+run towers --events --quiet
+suite records
+verify towers
+verify --published
+gap three-in-a-row --quiet
+fragility towers --records records --vary gap=8cm,12cm,16cm --quiet
+sweep towers --quiet
+solve towers --for force<30MN --by gap=8cm:25cm --quiet
+END
+
 # a ground motion is called what its user called it
 is "a ground motion of the preset" gives 0 run towers --json --quiet
 is "has the preset's name" shows '"record": {"file": "kobe-surrogate.csv"'

@@ -190,7 +190,8 @@ def peaks(case, key):
 def check_cases(scene, names):
     """The sentences under the tables of several cases: contacts in the order of the cases, then what each lowers and raises."""
     cases = of_json("run", *scene, "--cases", names)["cases"][1:]
-    text = [line for line in thud("run", *scene, "--cases", names)[0].split("\n\n")[-1].split("\n") if line]
+    said = re.sub(r"\n  +(?!Largest link force)", " ", thud("run", *scene, "--cases", names)[0].split("\n\n")[-1])  # unwrapped
+    text = [line for line in said.split("\n") if line]
     wrong, bare = [], next(c for c in cases if c["case"] == "none")
     for case in cases:
         line, of = text.pop(0), {key: [] for key in ("impacts", "force_n", "force_time_s", "change")}

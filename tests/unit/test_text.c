@@ -126,6 +126,13 @@ START_TEST(words_are_wrapped)
     thud_text_wrap(&text, " ", 0, 1);
     ck_assert_str_eq(text.data, "a\nb");
     thud_text_clear(&text);
+    thud_text_append(&text, "\u03b4 "); /* by columns, not by bytes */
+    thud_text_wrap(&text, "\u03b4\u03b4\u03b4 \u03b4\u03b4 \u6771 x", 2, 8);
+    ck_assert_str_eq(text.data, "\u03b4 \u03b4\u03b4\u03b4 \u03b4\u03b4\n  \u6771 x");
+    thud_text_clear(&text);
+    text.failed = 1; /* without memory for its first byte */
+    thud_text_wrap(&text, "one two", 2, 8);
+    ck_assert_ptr_null(text.data);
 }
 END_TEST
 

@@ -55,9 +55,8 @@ void thud_record_info_table(const struct thud_record *record, const struct thud_
             "the displacement ends at %.4g m: drift of the baseline or noise, hardly the ground's (--high-pass 0.1Hz, "
             "--baseline)",
             m->end_m);
-    row(out, "Arias intensity",
-        "%.4g m/s, exact for straight lines between the samples (trapezoidal rule on a^2: %.4g)", m->arias_mps,
-        m->arias_trapezoid_mps);
+    row(out, "Arias intensity", "%.4g m/s, exact for straight lines between the samples", m->arias_mps);
+    row(out, "", "(trapezoidal rule on a^2: %.4g)", m->arias_trapezoid_mps);
     char more[80] = "";
     if (!isnan(m->t5_s))
         snprintf(more, sizeof more, ", from %.4g s to %.4g s", m->t5_s, m->t95_s);

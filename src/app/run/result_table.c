@@ -17,13 +17,28 @@ enum { LABEL = 15 }; /* where the words behind the label of a line begin */
 void thud_table_words(struct thud_text *out, const char *label, struct thud_text *words, size_t indent)
 {
     for (size_t i = 1; i + 1 < words->size; i++)
-        if (words->data[i] == ' ' && thud_ascii_is_digit(words->data[i - 1]) && words->data[i + 1] > '9')
+        if (words->data[i] == ' ' && thud_ascii_is_digit(words->data[i - 1]) &&
+            (words->data[i + 1] > '9' || words->data[i + 1] == '%'))
             words->data[i] = '\t';
     thud_text_append(out, "%s", label);
     thud_text_wrap(out, words->data ? words->data : "", indent, THUD_TABLE_WIDTH);
     thud_text_append(out, "\n");
     out->failed |= words->failed;
     thud_text_clear(words);
+}
+
+void thud_table_lines(struct thud_text *out, struct thud_text *lines, size_t indent)
+{
+    for (const char *line = lines->data; line && *line;) {
+        const size_t blanks = strspn(line, " "), n = strcspn(line, "\n");
+        struct thud_text words = {0};
+        thud_text_append(&words, "%.*s", (int)(n - blanks), line + blanks);
+        thud_text_append(out, "%*s", (int)blanks, "");
+        thud_table_words(out, "", &words, blanks + indent);
+        line += n + (line[n] == '\n');
+    }
+    out->failed |= lines->failed;
+    thud_text_clear(lines);
 }
 
 static void add_head(const struct thud_report *report, struct thud_text *out)

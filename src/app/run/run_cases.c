@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "app/run/figure_files.h"
+#include "app/run/result_table.h"
 #include "app/run/summary_line.h"
 #include "base/ascii.h"
 #include "ground/identity.h"
@@ -273,7 +274,7 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
             const struct thud_structure *p = &cases->item[0].scene.structure[s];
             char number[16], percent[32];
             if (more ? change > 0.01 : change < -0.01)
-                thud_text_append(&list, "%s%s %s (%s)", n++ ? ", " : "", p->name, number_of(p, f, drift, number),
+                thud_text_append(&list, "%s%s\t%s\t(%s)", n++ ? ", " : "", p->name, number_of(p, f, drift, number),
                                  thud_change_text(1 + change, percent));
         }
     const char *what = drift ? "drifts" : "accelerations", *of = drift ? "storeys" : "floors";
@@ -353,17 +354,19 @@ void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *
     for (int s = 0; s < scene->nstructures; s++)
         for (int drift = 0; drift < 2; drift++)
             put_structure(cases, s, drift == 1, out);
+    struct thud_text said = {0};
     thud_text_append(out, "\n");
     for (int i = 1; i < cases->n; i++) {
-        say_contacts(cases, i, out);
-        say_links(cases, i, out);
+        say_contacts(cases, i, &said);
+        say_links(cases, i, &said);
     }
     for (int i = 1; none && i < cases->n; i++)
         for (int k = 0; k < 4 && i != none && !moves_alike(cases, i, none); k++)
-            say_floors(cases, i, k % 2 == 1, k >= 2, out);
+            say_floors(cases, i, k % 2 == 1, k >= 2, &said);
     const bool links = cases->need_without_links != NULL;
     if (links)
-        say_needs(scene, cases->need_without_links, "Without the links: ", out);
+        say_needs(scene, cases->need_without_links, "Without the links: ", &said);
     if (cases->need)
-        say_needs(scene, cases->need, links ? "With the links: " : "", out);
+        say_needs(scene, cases->need, links ? "With the links: " : "", &said);
+    thud_table_lines(out, &said, 2);
 }

@@ -192,8 +192,9 @@ static void put_row(const struct thud_gap_study *study, struct thud_text *out)
         thud_text_append(out, "\n");
     }
     thud_text_append(out,
-                     "Others as given: the gap that prevents contact here while the others keep their gaps and\n"
-                     "may pound; %d runs with it open. All together: no contact at these gaps.\n",
+                     "Others as given: the gap that prevents contact here while the others keep\n"
+                     "their gaps and may pound; %d runs with it open. All together: no contact at\n"
+                     "these gaps.\n",
                      study->row_runs);
 }
 
@@ -254,7 +255,7 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
     thud_text_append(
-        out, "Pounds in, MN: motions with contact at that gap%s%s, largest force%s.\n",
+        out, "Pounds in, MN: motions that pound at that gap%s%s, largest force%s.\n",
         thud_scene_has_measure(scene) ? " " : "",
         thud_scene_has_measure(scene) ? thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene)) : "",
         study->interfaces > 1 ? ";\nthe other interfaces have the gaps of the same rule" : "");

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "app/run/timing.h"
 #include "io/file/json.h"
 #include "io/result/simplification_rows.h"
@@ -111,10 +112,12 @@ void thud_simplify_remarks(const struct thud_simplify_found *f, const char *befo
 void thud_simplify_report(const struct thud_simplify_found *f, struct thud_text *out)
 {
     const struct thud_rows rows = thud_simplify_table_rows(f);
-    thud_text_append(out, "Within %s: ", percent(f->within).text);
-    thud_simplify_sentence(f, out);
-    thud_text_append(out, ".\n");
-    thud_simplify_remarks(f, "", out);
+    struct thud_text said = {0};
+    thud_text_append(&said, "Within %s: ", percent(f->within).text);
+    thud_simplify_sentence(f, &said);
+    thud_text_append(&said, ".\n");
+    thud_simplify_remarks(f, "", &said);
+    thud_table_lines(out, &said, 2);
     thud_text_append(out, "\n");
     thud_rows_table(&rows, out);
     thud_text_append(out, "\n%d runs; the full model: %d impacts, %d numbers\n", f->runs, f->full.change.impacts,

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "app/sweep/sweep_jobs.h"
 #include "io/file/json.h"
 #include "io/result/study_rows.h"
@@ -240,7 +241,9 @@ void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
 
 void thud_solve_report(const struct thud_solve *solve, struct thud_text *out)
 {
-    thud_solve_words(solve, out);
+    struct thud_text said = {0};
+    thud_solve_words(solve, &said);
+    thud_table_lines(out, &said, 2);
     thud_text_append(out, "\n%-20s  %s\n", solve->key, "holds under");
     for (int i = 0; i < solve->n; i++) {
         const struct thud_tried_row *t = &solve->tried[i];
@@ -249,8 +252,7 @@ void thud_solve_report(const struct thud_solve *solve, struct thud_text *out)
         else
             thud_text_append(out, "%-20s  %d of %d%s\n", t->value, t->held, t->motions, holds(solve, t) ? "" : "  no");
     }
-    thud_text_append(out,
-                     "\nBetween values that were tried nothing is known: a change and its way back may lie there.\n");
+    thud_text_append(out, "\nNothing is known between tried values: a change and its way back may lie there.\n");
 }
 
 static struct thud_rows tried_of(const struct thud_solve *solve, struct thud_array *all)

@@ -1,4 +1,5 @@
 #include "app/sweep/suite_study.h"
+#include "app/run/result_table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -84,9 +85,11 @@ static void put_remarks(const struct thud_suite_study *study, bool json, struct 
         thud_remarks_json(&scope, THUD_REMARK_MOTIONS, out);
     else
         found = thud_remarks_find(&scope, THUD_REMARK_MOTIONS);
-    for (int i = 0; i < found.n; i++)
-        thud_text_append(out, "%s  ! %s\n", i == 0 ? "\n" : "",
-                         thud_error_text(&found.item[i].said, text, sizeof text));
+    for (int i = 0; i < found.n; i++) {
+        struct thud_text words = {0};
+        thud_text_append(&words, "%s", thud_error_text(&found.item[i].said, text, sizeof text));
+        thud_table_words(out, i == 0 ? "\n  ! " : "  ! ", &words, 4);
+    }
     thud_remarks_clear(&found);
     free(chosen);
     free(factor);
@@ -96,20 +99,21 @@ static void put_result(const struct thud_suite_study *study, struct thud_text *o
 {
     const struct thud_scaled_suite *s = &study->scaled;
     const struct thud_scaling *how = &study->scaling;
-    thud_text_append(out, "\ntarget    %s, damping %.3g %%, periods %#.3g to %#.3g s", study->target.text,
+    struct thud_text words = {0};
+    thud_text_append(&words, "%s, damping %.3g %%, periods %#.3g to %#.3g s", study->target.text,
                      100 * study->target.damping, s->period_s[0], s->period_s[THUD_TARGET_PERIODS - 1]);
     if (s->narrowed)
-        thud_text_append(out, " in place of %#.3g to %#.3g s, which the motions' steps or the target do not reach",
+        thud_text_append(&words, " in place of %#.3g to %#.3g s, which the motions' steps or the target do not reach",
                          how->from_s, how->to_s);
-    thud_text_append(out, "\n");
+    thud_table_words(out, "\ntarget    ", &words, 10);
     thud_text_append(out,
                      how->common ? "scaled    all by %.4g\n" : "scaled    each to its least misfit, then all by %.4g\n",
                      s->common);
-    thud_text_append(out, "mean      at least %.3g of the target, at %.3g s", s->ratio, s->ratio_s);
+    thud_text_append(&words, "at least %.3g of the target, at %.3g s", s->ratio, s->ratio_s);
     if (s->zero_mps2 > 0)
-        thud_text_append(out, "; mean peak %.3g g, the target's at T = 0 %.3g g", s->mean_peak_mps2 / THUD_GRAVITY,
+        thud_text_append(&words, "; mean peak %.3g g, the target's at T = 0 %.3g g", s->mean_peak_mps2 / THUD_GRAVITY,
                          s->zero_mps2 / THUD_GRAVITY);
-    thud_text_append(out, "\n");
+    thud_table_words(out, "mean      ", &words, 10);
     if (how->count > s->chosen)
         thud_text_append(out, "chosen    %d, fewer than the %d asked for: no more may be taken\n", s->chosen,
                          how->count);
@@ -154,9 +158,9 @@ void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_
         if (study->has_target || strcmp(thud_motion_schema.column[c].name, "misfit") != 0)
             column[n++] = thud_motion_schema.column[c];
     for (int k = 0; k < study->nmarks; k++) {
-        snprintf(head[k], sizeof head[k], "Sa(%.3g s) g", study->mark[k].period_s);
+        snprintf(head[k], sizeof head[k], "Sa(%.3g s)", study->mark[k].period_s);
         column[n++] = (struct thud_column){THUD_COLUMN(struct shown_row, sa[k], "", ""),
-                                           .shown = {head[k], NULL, 1, 13, 3, THUD_DIGITS_FREE}};
+                                           .shown = {head[k], "g", 1, 11, 3, THUD_DIGITS_FREE}};
     }
     column[n++] = (struct thud_column){THUD_COLUMN(struct shown_row, tail, "", ""),
                                        .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}};

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "app/run/summary_line.h"
 #include "app/sweep/gap_report.h"
 #include "io/result/study_rows.h"
@@ -294,13 +295,14 @@ static void put_missing(const struct thud_sweep_plan *plan, const char *one, con
 void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thud_sweep_total *total,
                             struct thud_text *out)
 {
-    put_runs(total->asked, out);
+    struct thud_text words = {0};
+    put_runs(total->asked, &words);
     if (total->references > 0)
-        thud_text_append(out, " and %ld of case none for the ratios", total->references);
-    thud_text_append(out, ": %ld made, %ld answered by the motion without pounding", total->made, total->free);
+        thud_text_append(&words, " and %ld of case none for the ratios", total->references);
+    thud_text_append(&words, ": %ld made, %ld answered by the motion without pounding", total->made, total->free);
     if (total->reused > 0)
-        thud_text_append(out, ", %ld the same as another (equal clearances and laws)", total->reused);
-    thud_text_append(out, "\n");
+        thud_text_append(&words, ", %ld the same as another (equal clearances and laws)", total->reused);
+    thud_table_words(out, "", &words, 2);
     if (plan->scene.analysis.modes > 0)
         thud_text_append(out, "each building's lowest %d modes only: thud run gives the error of that\n",
                          plan->scene.analysis.modes);

@@ -13,42 +13,74 @@ static bool is_old(const struct thud_verification *v, const struct thud_expectat
     return false;
 }
 
-static void add_row(const struct thud_expectation *e, const struct thud_check *check, struct thud_text *out)
+/* Widths of the first two columns. */
+struct widths {
+    int which, name;
+};
+
+static void widen(struct widths *w, const struct thud_expectations *of)
 {
-    thud_text_append(out, "  %-10s %-34s %14.7g ", thud_case_name(e->which), e->name, e->value);
+    for (size_t i = 0; i < of->n; i++) {
+        w->which = thud_text_wider(w->which, thud_case_name(of->item[i].which));
+        w->name = thud_text_wider(w->name, of->item[i].name);
+    }
+}
+
+static struct widths widths_of(const struct thud_verification *v)
+{
+    struct widths w = {4, 8};
+    widen(&w, &v->expected);
+    widen(&w, &v->fresh);
+    widen(&w, &v->disputed);
+    return w;
+}
+
+static void add_name(const struct widths *w, const struct thud_expectation *e, struct thud_text *out)
+{
+    thud_text_append(out, " %-*s ", w->which, thud_case_name(e->which));
+    thud_text_padded(out, e->name, w->name);
+}
+
+static void add_row(const struct widths *w, const struct thud_expectation *e, const struct thud_check *check,
+                    struct thud_text *out)
+{
+    add_name(w, e, out);
     if (check->verdict == THUD_GONE)
-        thud_text_append(out, "%14s %10s %8.1g  gone\n", "-", "-", e->tolerance);
+        thud_text_append(out, " %11.6g %11s %8s %5.1g gone\n", e->value, "-", "-", e->tolerance);
     else
-        thud_text_append(out, "%14.7g %+10.2g %8.1g  %s\n", check->got, check->change, e->tolerance,
+        thud_text_append(out, " %11.6g %11.6g %+8.2g %5.1g %s\n", e->value, check->got, check->change, e->tolerance,
                          thud_check_verdict_name(check->verdict));
 }
 
 static void add_checks(const struct thud_verification *v, bool holding, struct thud_text *out)
 {
-    thud_text_append(out, "  %-10s %-34s %14s %14s %10s %8s\n", "case", "quantity", "expected", "now", "change",
-                     "allowed");
+    const struct widths w = widths_of(v);
+    thud_text_append(out, " %-*s %-*s %11s %11s %8s %5s\n", w.which, "case", w.name, "quantity", "expected", "now",
+                     "change", "limit");
     for (size_t i = 0; i < v->expected.n; i++)
         if (holding || v->check[i].verdict != THUD_HOLDS)
-            add_row(&v->expected.item[i], &v->check[i], out);
+            add_row(&w, &v->expected.item[i], &v->check[i], out);
 }
 
 /* What the new file says beside the old one: what comes in, what is left out. */
 static void add_update(const struct thud_verification *v, struct thud_text *out)
 {
+    const struct widths w = widths_of(v);
     size_t added = 0;
     for (size_t i = 0; i < v->fresh.n; i++) {
         const struct thud_expectation *e = &v->fresh.item[i];
         if (is_old(v, e))
             continue;
         added++;
-        if (v->expected.n > 0)
-            thud_text_append(out, "  %-10s %-34s %14s %14.7g %10s %8.1g  new\n", thud_case_name(e->which), e->name, "-",
-                             e->value, "-", e->tolerance);
+        if (v->expected.n == 0)
+            continue;
+        add_name(&w, e, out);
+        thud_text_append(out, " %11s %11.6g %8s %5.1g new\n", "-", e->value, "-", e->tolerance);
     }
     for (size_t i = 0; i < v->disputed.n; i++) {
         const struct thud_expectation *e = &v->disputed.item[i];
-        thud_text_append(out, "  %-10s %-34s left out: %.7g, by the independent method %.7g\n",
-                         thud_case_name(e->which), e->name, e->value, e->other);
+        add_name(&w, e, out);
+        thud_text_append(out, " left out: %.7g; independent: %.7g\n", e->value, e->other);
     }
     thud_text_append(out, "  new file: %zu expectations, %zu of them new, %zu left out\n", v->fresh.n, added,
                      v->disputed.n);

@@ -395,8 +395,8 @@ struct event_row {
 #define EVENT(member, key, text) THUD_COLUMN(struct event_row, member, key, text)
 
 static const struct thud_column events[] = {
-    {EVENT(own.time_s, "time_s", "Time of the event, s."), .shown = {"time (s)", NULL, 1, 14, 9, THUD_DIGITS_FIXED}},
-    {EVENT(where, "", ""), .only = THUD_ONLY_TEXT, .shown = {" where", NULL, 0, -18, 0, THUD_DIGITS_WORD}},
+    {EVENT(own.time_s, "time_s", "Time of the event, s."), .shown = {"time (s)", NULL, 1, 13, 9, THUD_DIGITS_FIXED}},
+    {EVENT(where, "", ""), .only = THUD_ONLY_TEXT, .shown = {" where", NULL, 0, -8, 0, THUD_DIGITS_WORD}},
     {EVENT(interface, "interface", "Number of the interface, from the left."), .only = THUD_ROW_CONTACT},
     {EVENT(left_floor, "left_floor", "Floor on the left of the interface."), .only = THUD_ROW_CONTACT},
     {EVENT(right_floor, "right_floor", "Floor on the right of the interface."), .only = THUD_ROW_CONTACT},
@@ -407,15 +407,14 @@ static const struct thud_column events[] = {
     {EVENT(own.event, "event",
            "Event: onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, "
            "yield, unload or collapse; thud-methods(7) gives the guard of each."),
-     .shown = {"event", NULL, 0, -17, 0, THUD_DIGITS_WORD}},
+     .shown = {"event", NULL, 0, -7, 0, THUD_DIGITS_WORD}},
     {EVENT(own.guard, "guard", "Guard that passed 0, and its direction: d is the indentation or drift, F the force."),
-     .shown = {"guard", NULL, 0, -20, 0, THUD_DIGITS_WORD}},
+     .shown = {"guard", NULL, 0, -7, 0, THUD_DIGITS_WORD}},
     {EVENT(own.order, "order",
            "Number of the guard's lowest coefficients set to 0, because the previous event had just made them 0; "
-           "usually 0."),
-     .shown = {"order", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
+           "usually 0.")},
     {EVENT(own.force_n, "force_n", "Force just after the event, N; for a storey its shear."),
-     .shown = {"force (kN)", NULL, 1e-3, 12, 4, THUD_DIGITS_FIXED}},
+     .shown = {"force (kN)", NULL, 1e-3, 11, 1, THUD_DIGITS_FIXED}},
     {EVENT(own.then, "then",
            "State after the event: open, closed (approach or restitution), closed without force, sticking; for a "
            "storey elastic, yields or collapsed."),

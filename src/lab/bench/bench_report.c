@@ -12,7 +12,7 @@ static const char *state_word(const struct thud_bench_point *p)
 static void add_reference(struct thud_bench *bench, struct thud_text *out)
 {
     double error = bench->reference_error;
-    thud_text_append(out, "reference: %s at its tightest, against %s: ", thud_bench_reference_name[0],
+    thud_text_append(out, "reference: %s at its tightest, against %s:\n  ", thud_bench_reference_name[0],
                      thud_bench_reference_name[1]);
     if (isnan(error))
         thud_text_append(out, "not confirmed\n");
@@ -81,19 +81,19 @@ static void add_costs(struct thud_bench *bench, struct thud_text *out)
         thud_text_append(out, "\npeaks right to %g %% cost%s\n", 100 * level,
                          n == 0 ? ": no run has them so near" : "");
         if (n > 0)
-            thud_text_append(out, "  %-32s  setting    error  time ms    steps  times the least\n", "");
+            thud_text_append(out, "  %-32s setting   error time ms   steps  ratio\n", "");
         for (int i = 0; i < n; i++) {
             const struct thud_bench_point *p = &bench->point[cost[i].point];
             char name[64];
             thud_stepping_name(&p->how, name, sizeof name);
-            thud_text_append(out, "  %-32s %8.0e  %7.1e %8.3g %8ld  %.3g\n", name, p->how.setting, p->error.all,
+            thud_text_append(out, "  %-32s %7.0e %7.1e %7.3g %7ld  %.3g\n", name, p->how.setting, p->error.all,
                              1e3 * p->seconds, p->work.steps, cost[i].ratio);
         }
     }
     if (moved > 0)
         thud_text_append(out,
-                         "\n0.1 %% of input (gap, ground motion, stiffness) moves the peaks by up to %.2g %%: an "
-                         "error below that means nothing for this scene\n",
+                         "\n0.1 %% of input (gap, ground motion, stiffness) moves the peaks by up to %.2g %%:\n"
+                         "  an error below that means nothing for this scene\n",
                          100 * moved);
 }
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "app/run/result_table.h"
 #include "app/run/session.h"
 #include "ground/identity.h"
 #include "io/result/list_rows.h"
@@ -86,24 +87,25 @@ static void add_row(const struct thud_published_row *r, struct thud_text *out)
                  100 * r->difference);
     else
         snprintf(difference, sizeof difference, "%.1e", r->difference);
-    thud_text_append(out, "    %-40s %12.6g %12.6g %-5s %10s  %s\n", r->quantity, r->published, r->computed, r->unit,
+    thud_text_append(out, "  %-39s %8.6g %9.6g %-4s %8s %s\n", r->quantity, r->published, r->computed, r->unit,
                      difference, r->holds ? "holds" : "differs");
 }
 
 /* What the agreement says, and what it does not. */
 static void add_validity(const struct count *sum, struct thud_text *out)
 {
-    thud_text_append(out,
-                     "\nValidated by this: %stimes and velocities of contact onset; the restitution of a law;\n"
-                     "the peak force of a small cart on foam, after its duration and restitution were fitted.\n"
-                     "Checked only: a symmetry, storeys that yield at their strengths, and a friction pendulum\n"
-                     "against another program.\n",
-                     sum->skipped > 0 ? "" : "modes, response to a ground motion and storey forces;\n");
-    thud_text_append(out, "Not validated: the pounding of buildings. No test at that scale is public with\n"
-                          "parameters and results that can be read; contact stiffness and restitution between\n"
-                          "slabs are assumptions.\n"
-                          "What is printed or read from a figure is rounded: half a percent is what agreement\n"
-                          "can show.\n");
+    struct thud_text words = {0};
+    thud_text_append(&words,
+                     "Validated by this: %stimes and velocities of contact onset; the restitution of a law; the peak "
+                     "force of a small cart on foam, after its duration and restitution were fitted.\n"
+                     "Checked only: a symmetry, storeys that yield at their strengths, and a friction pendulum against "
+                     "another program.\n"
+                     "Not validated: the pounding of buildings. No test at that scale is public with parameters and "
+                     "results that can be read; contact stiffness and restitution between slabs are assumptions.\n"
+                     "What is printed or read from a figure is rounded: half a percent is what agreement can show.\n",
+                     sum->skipped > 0 ? "" : "modes, response to a ground motion and storey forces; ");
+    thud_text_append(out, "\n");
+    thud_table_lines(out, &words, 2);
 }
 
 /* The published values of a scene, or its checks; a scene that has none of the kind is left out. */
@@ -116,15 +118,17 @@ static void add_scene(enum thud_published which, const struct thud_published_res
         any = any || result->row[k].check == check;
     if (!any)
         return;
-    thud_text_append(out, "%s\n  %s\n", info->title, info->source);
+    struct thud_text words = {0};
+    thud_text_append(&words, "%s\n  %s\n", info->title, info->source);
+    thud_table_lines(out, &words, 2);
     if (result->motion[0])
         thud_text_append(out, "  ground motion: %s\n", result->motion);
     if (result->skipped)
-        thud_text_append(out, "    skipped: needs %s\n    (`thud verify --published --record FILE`)\n",
+        thud_text_append(out, "    skipped: `thud verify --published --record FILE` needs\n    %s\n",
                          info->needs_record);
     else
-        thud_text_append(out, "    %-40s %12s %12s %-5s %10s\n", "", check ? "expected" : "published", "computed", "",
-                         "difference");
+        thud_text_append(out, "  %-38s %9s %9s %-4s %8s\n", "", check ? "expected" : "published", "computed", "",
+                         "change");
     for (int k = 0; k < result->n; k++)
         if (result->row[k].check == check)
             add_row(&result->row[k], out);

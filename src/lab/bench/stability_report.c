@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
+
 static const char *const kinds[THUD_STABILITY_KINDS] = {"free vibration", "wall spring", "scene"};
 
 static void add_number(struct thud_text *out, double value)
@@ -156,32 +158,32 @@ static void add_step(const struct thud_stability_summary *m, const char *level, 
 /* A sentence for each method. */
 static void add_summaries(const struct thud_stability *s, struct thud_text *out)
 {
-    thud_text_append(out,
-                     "each method: order of impact times; steps that keep the scene's peaks and impacts; energy left "
-                     "on the wall\nspring after 50 s (step times frequency 0.5); restitution of concrete in steps of "
-                     "1 ms\n");
+    thud_text_append(out, "each method: order of impact times; steps that keep the scene's peaks and\n"
+                          "impacts; energy left on the wall spring after 50 s (step times frequency 0.5);\n"
+                          "restitution of concrete in steps of 1 ms\n");
     for (int i = 0; i < s->nsummaries; i++) {
         const struct thud_stability_summary m = thud_stability_summary_of(s, i);
+        struct thud_text words = {0};
         char name[64];
         thud_stepping_name(&m.how, name, sizeof name);
-        thud_text_append(out, "%s: ", name);
+        thud_text_append(&words, "%s: ", name);
         if (isnan(m.order))
-            thud_text_append(out, "steps of its own");
+            thud_text_append(&words, "steps of its own");
         else
-            thud_text_append(out, "order %.2f (nominal %d)", m.order, m.how.method->order);
+            thud_text_append(&words, "order %.2f (nominal %d)", m.order, m.how.method->order);
         if (s->peak_m) {
-            add_step(&m, "10 %", m.keeps[0], out);
-            add_step(&m, "1 %", m.keeps[1], out);
+            add_step(&m, "10 %", m.keeps[0], &words);
+            add_step(&m, "1 %", m.keeps[1], &words);
             if (!isnan(m.diverges_s))
-                thud_text_append(out, "; blows up from %.3g ms", 1e3 * m.diverges_s);
+                thud_text_append(&words, "; blows up from %.3g ms", 1e3 * m.diverges_s);
         }
         if (isfinite(m.wall_most))
-            thud_text_append(out, "; energy %.3g to %.3g", m.wall_least, m.wall_most);
+            thud_text_append(&words, "; energy %.3g to %.3g", m.wall_least, m.wall_most);
         else if (isinf(m.wall_most))
-            thud_text_append(out, "; energy without bound");
+            thud_text_append(&words, "; energy without bound");
         if (isfinite(m.obtained))
-            thud_text_append(out, "; restitution %.4f for %.4f", m.obtained, m.expected);
-        thud_text_append(out, "\n");
+            thud_text_append(&words, "; restitution %.4f for %.4f", m.obtained, m.expected);
+        thud_table_words(out, "", &words, 2);
     }
 }
 
