@@ -17,6 +17,17 @@ is "no other method is run" [ "$(cut -d, -f1 "$tmp/b/bench.csv" | sort -u | tr '
 is "the CSV is that of the table, not the picture's" grep -q '^exact,1,0.01,done,' "$tmp/b/bench.csv"
 is "and has a row for each point" [ "$(rows "$tmp/b/bench.csv" '^rk4,')" -eq 20 ]
 is "the chart is a PNG" is_png "$tmp/b/bench.png"
+noted() { # FILE WORDS: in the notes of a figure, wherever they are wrapped
+    sed -n "s/^set label [0-9]* '\(.*\)' at screen.*/\1/p" "$1" | tr '\n' ' ' | grep -q -e "$2"
+}
+joined() { # FILE: how many runs lines join, and how many of them are not more accurate than the one before; single points
+    awk '/^plot / { n = split($0, part, /, \$/); for (i = 1; i <= n; i++) { name = part[i]; sub(/^plot \$/, "", name); sub(/ .*/, "", name); line[name] = part[i] ~ /linespoints/ } }
+        /^\$P/ { name = substr($1, 2); before = 1e9; next } $1 + 0 > 0 && NF == 2 { n++; if ($1 + 0 >= before) back[name]++; before = $1 + 0; count[name]++ }
+        END { for (name in count) if (line[name]) { all += count[name]; wrong += back[name] } else alone += count[name]; print all + 0, wrong + 0, alone + 0 }' "$1"
+}
+is "lines join runs that are ever more accurate, no line goes back" [ "$(joined "$tmp/b/bench.gp" | cut -d' ' -f2)" -eq 0 ]
+is "of which there are some, and some others" [ "$(joined "$tmp/b/bench.gp" | awk '{ print ($1 > 10 && $3 > 1) }')" = 1 ]
+is "which is said" noted "$tmp/b/bench.gp" 'Not joined: runs no more accurate than a coarser one'
 is "the scene and the version stand beside them" grep -q '"preset": "rigid-bumper", "version": "[0-9.]*"' "$tmp/b/scene.json"
 sed -n '/^  "scene": /,$p' "$tmp/b/scene.json" | sed '1s/^  "scene": //; $d' >"$tmp/again.yaml"
 is "that scene is a preset" "$THUD" run "$tmp/again.yaml" --quiet >"$tmp/out"
@@ -35,18 +46,17 @@ is "a step that blows up is told with its place" shows '^ *1e-02  FAILED the res
 is "one that takes too long with the time it would" shows '^ *1e-05  skipped would take about [0-9.]* s$'
 is "which is more than none" [ "$(grep -c 'about 0 s' "$tmp/out")" -eq 0 ]
 is "all that blew up are listed" sh -c "sed -n '/^no result:/,\$p' '$tmp/out' | grep -q '^  central-difference, located: 1e-02'"
-words() { sed -n "s/^set label [0-9]* '\(.*\)' at screen.*/\1/p" "$tmp/bad/bench.gp" | tr '\n' ' '; } # a note may be wrapped anywhere
-is "methods that blew up are named on the chart" sh -c "echo '$(words)' | grep -q 'Blown up, and not shown: central-difference at 1e-02'"
+is "methods that blew up are named on the chart" noted "$tmp/bad/bench.gp" 'Blown up, and not shown: central-difference at 1e-02'
 run bench towers --methods exact,lagged --patience 50ms -o "$tmp/missed"
 is "what 0.1 % of input moves is told" shows '^0.1 % of input (gap, ground motion, stiffness) moves the peaks by up to [0-9.]* %'
-is "and shaded" grep -q 'Shaded: errors below what 0.1 % of input moves' "$tmp/missed/bench.gp"
+is "and shaded" noted "$tmp/missed/bench.gp" 'Shaded: errors below what 0.1 % of input moves'
 is "what keeps an accuracy does, and is the quickest of its curve" sh -c '"$0" bench towers --methods exact,lagged --patience 50ms --json >"$1"' "$THUD" "$tmp/costs.json"
 is "by its own rows" awk -v RS='{' '
     function value(key, at) { at = index($0, "\"" key "\": "); return at ? substr($0, at + length(key) + 4) + 0 : "" }
     /"level"/ { if (value("error") > value("level") || value("ratio") < 1) bad = 1; n++ }
     /"moved"/ { if (!(value("moved") > 1e-3)) bad = 1; moved = 1 }
     END { exit bad || n < 2 || !moved }' "$tmp/costs.json"
-is "an impact missed is marked on the chart" grep -q "Ringed: runs that missed impacts or added some" "$tmp/missed/bench.gp"
+is "an impact missed is marked on the chart" noted "$tmp/missed/bench.gp" "Ringed: runs that missed impacts or added some"
 is "and its run listed" sh -c "sed -n '/^impacts missed or added:/,\$p' '$tmp/out' | grep -q '^  lagged: 1e-02'"
 is "one timing has no spread" awk -F, 'NR > 1 && $4 == "done" && ($7 == 1) != ($6 == "") { exit 1 }' "$tmp/missed/bench.csv"
 run bench rigid-concrete --methods exact -o "$tmp/none"

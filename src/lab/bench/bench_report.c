@@ -135,52 +135,69 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
     add_list(bench, NOT_RUN, "\nnot run, they take too long (--patience 1000s runs them):\n  ", out);
 }
 
-/* One curve into both panels of its column. */
-static void add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
+/* Runs of a curve that are drawn alike. */
+struct runs {
+    double x[64], time[64], work[64];
+    size_t n;
+};
+
+static void take_run(struct runs *runs, const struct thud_bench_point *p)
 {
-    const char *name = bench->point[first].how.method->name;
-    double x[64], time[64], work[64], ring_x[64], ring_time[64], ring_work[64];
-    size_t n = 0, rings = 0;
-    for (int i = first; i < last && n < 64; i++) {
+    runs->x[runs->n] = fmax(p->error.all, 1e-13);
+    runs->time[runs->n] = 1e3 * p->seconds;
+    runs->work[runs->n++] = (double)p->work.steps + (double)p->work.force_evaluations;
+}
+
+static void add_runs(struct thud_panel *const panel[2], struct thud_style style, const char *name,
+                     const struct runs *runs)
+{
+    if (runs->n == 0)
+        return;
+    thud_panel_add(panel[0], style, name, runs->n, runs->x, runs->time);
+    thud_panel_add(panel[1], style, name, runs->n, runs->x, runs->work);
+}
+
+/* One curve into both panels of its column. A line joins the runs that are nearer to the reference than all coarser
+ * steps: near its own rounding a method moves at random. Returns whether others stand alone. */
+static bool add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
+{
+    struct runs joined = {.n = 0}, alone = {.n = 0}, ringed = {.n = 0};
+    double least = INFINITY;
+    for (int i = first; i < last && i < first + 64; i++) {
         const struct thud_bench_point *p = &bench->point[i];
         if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || has_fault(p, WORTHLESS))
             continue;
-        x[n] = fmax(p->error.all, 1e-13);
-        time[n] = 1e3 * p->seconds;
-        work[n] = (double)p->work.steps + (double)p->work.force_evaluations;
-        if (has_fault(p, WRONG_IMPACTS)) {
-            ring_x[rings] = x[n];
-            ring_time[rings] = time[n];
-            ring_work[rings++] = work[n];
-        }
-        n++;
+        take_run(p->error.all < least ? &joined : &alone, p);
+        least = fmin(least, p->error.all);
+        if (has_fault(p, WRONG_IMPACTS))
+            take_run(&ringed, p);
     }
-    struct thud_style style = {.kind = THUD_LINES_POINTS, .color = color, .wide = color == 0};
-    if (n > 0) {
-        thud_panel_add(panel[0], style, name, n, x, time);
-        thud_panel_add(panel[1], style, name, n, x, work);
-    }
-    if (rings > 0) {
-        struct thud_style ring = {.kind = THUD_POINTS, .color = THUD_COLORS - 1, .wide = true};
-        thud_panel_add(panel[0], ring, "", rings, ring_x, ring_time); /* no method: the note says what it is */
-        thud_panel_add(panel[1], ring, "", rings, ring_x, ring_work);
-    }
+    const struct thud_style line = {.kind = THUD_LINES_POINTS, .color = color, .wide = color == 0},
+                            point = {.kind = THUD_POINTS, .color = color},
+                            ring = {.kind = THUD_POINTS, .color = THUD_COLORS - 1, .wide = true};
+    add_runs(panel, line, bench->point[first].how.method->name, &joined);
+    add_runs(panel, point, "", &alone);
+    add_runs(panel, ring, "", &ringed); /* no method: the note says what it is */
+    return alone.n > 0;
 }
 
 /* What marks mean, and methods with runs that no chart can show. */
-static void add_note(struct thud_bench *bench, struct thud_figure *figure)
+static void add_note(struct thud_bench *bench, bool alone, struct thud_figure *figure)
 {
     static const struct list_style blown_up = {"Blown up, and not shown: ", "; ", " at ", ", "},
                                    off = {"Worthless, and not shown: ", "; ", " at ", ", "};
-    struct thud_text part[4] = {{0}}, note = {0};
+    enum { PARTS = 5 };
+    struct thud_text part[PARTS] = {{0}}, note = {0};
     if (bench->moved > 0)
         thud_text_append(&part[0], "Shaded: errors below what 0.1 %% of input moves");
     for (int i = 0; i < bench->npoints && part[1].size == 0; i++)
         if (has_fault(&bench->point[i], WRONG_IMPACTS))
             thud_text_append(&part[1], "Ringed: runs that missed impacts or added some");
-    put_runs(bench, NO_RESULT, &blown_up, &part[2]);
-    put_runs(bench, WORTHLESS, &off, &part[3]);
-    for (int i = 0; i < 4; i++) {
+    if (alone)
+        thud_text_append(&part[2], "Not joined: runs no more accurate than a coarser one");
+    put_runs(bench, NO_RESULT, &blown_up, &part[3]);
+    put_runs(bench, WORTHLESS, &off, &part[4]);
+    for (int i = 0; i < PARTS; i++) {
         if (part[i].size > 0)
             thud_text_append(&note, "%s%s.", note.size > 0 ? " " : "", part[i].data);
         thud_text_clear(&part[i]);
@@ -235,6 +252,7 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
                 thud_panel_mark(p, THUD_X, 1e-13, moved, "");
         }
     int count = bench->npoints;
+    bool alone = false;
     for (int first = 0, last; first < count; first = last) {
         const struct thud_bench_point *p = &bench->point[first];
         for (last = first; last < count && bench->point[last].curve == p->curve;)
@@ -242,10 +260,10 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
         bool exact = p->how.method->order == 0 && p->how.locate;
         for (int column = 0; column < 2; column++)
             if (exact || column == p->how.locate)
-                add_curve(bench, first, last, panel[column], color_of(p->how.method));
+                alone |= add_curve(bench, first, last, panel[column], color_of(p->how.method));
     }
     struct thud_panel *const all[] = {panel[0][0], panel[1][0], panel[0][1], panel[1][1]}; /* time, time, work, work */
-    add_note(bench, figure);
+    add_note(bench, alone, figure);
     share_axis(all, 4, THUD_X);
     share_axis(all, 2, THUD_Y);
     share_axis(all + 2, 2, THUD_Y);
