@@ -84,7 +84,7 @@ static enum thud_status read_criteria(const struct thud_args *args, struct thud_
         thud_text_append(&criteria->limits, "%s%s", i > 0 ? "," : "", limit);
     if (criteria->limits.failed)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = code ? thud_scene_set(&session->scene, "document.code", code, err) : THUD_OK;
+    enum thud_status status = code ? thud_session_set(session, "document.code", code, err) : THUD_OK;
     if (!target && *session->scene.record.target)
         target = session->scene.record.target;
     if (status == THUD_OK && target && (status = thud_target_read(target, &criteria->target, err)) != THUD_OK)

@@ -55,6 +55,8 @@ edit "a value where keys are wanted" '/^study:/,$d; s/^analysis:/analysis: fast/
 edit "tab" 's/^  file:/\tfile:/' "bad.yaml:$(line '  file:'):1: a tab is not allowed here (spaces)"
 edit "missing interface" '/^interfaces:/,/unloading/d' "bad.yaml:"
 edit "a word that is no event" 's/^study:/study:\n  events: [pounding, foo]/' "bad.yaml:$(($(line '^study') + 1)):11: study.events: \"foo\" is not an event (pounding, force:5MN,"
+edit "a limit of the report that is none" 's/^study:/document:\n  limits: {drift: 1 %, sway: 1 cm}\nstudy:/' "bad.yaml:$(($(line '^study') + 1)):11: document.limits: \"sway:1 cm\" is not a limit (force=5MN,"
+edit "a code for the gap that is none" 's/^study:/document:\n  code: nzs\nstudy:/' "bad.yaml:$(($(line '^study') + 1)):9: document.code: \"nzs\" is not a code for the gap (en1998, asce7, exact84)"
 edit "no ground motion of that name" 's/file: kobe-surrogate.csv/file: kobe-surogate.csv/' "bad.yaml:$(line '  file:'):9: record.file: no ground motion \"kobe-surogate.csv\"; did you mean \"kobe-surrogate.csv\"?"
 
 : >bad.yaml

@@ -57,6 +57,15 @@ struct thud_gap_rule {
     double (*value)(const struct thud_gap_level *level); /* m; NaN: it does not apply */
 };
 const struct thud_gap_rule *thud_gap_rule_at(int rule);
+
+/* How a code makes one number of several ground motions, and of its gap. */
+struct thud_gap_practice {
+    const char *name; /* of `document.code` */
+    int rule;         /* for the gap */
+    bool by_84;       /* what is enough for 84 % of the motions, in place of the mean or the largest */
+};
+/* Returns that of a name, of any edition behind a hyphen (asce7-22); NULL: none. */
+const struct thud_gap_practice *thud_gap_practice_find(const char *name);
 double thud_gap_value(const struct thud_gap_level *level, int rule);
 /* Writes the rule's formula with the level's numbers. */
 void thud_gap_numbers(const struct thud_gap_level *level, int rule, struct thud_text *out);

@@ -70,9 +70,12 @@ enum thud_status thud_limit_parse(const char *text, struct thud_event *out, stru
 /* Reads several separated by commas, also in brackets; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX.
  * Errors: THUD_USAGE. */
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);
-/* Whether the study's events can be read, where they are set: only suites know their words. Errors: THUD_INPUT with key
- * study.events. */
-enum thud_status thud_events_check(const struct thud_scene *scene, struct thud_error *err);
+/* Reads several with commas between into the places of their measures; one takes the place of those before it that have
+ * its word. Errors: THUD_USAGE. */
+enum thud_status thud_limits_parse(const char *list, struct thud_event limit[THUD_MEASURES], struct thud_error *err);
+/* Whether the words of studies and reports can be read, where they are set: study.events, document.limits and
+ * document.code. Errors: THUD_INPUT with the key. */
+enum thud_status thud_words_check(const struct thud_scene *scene, struct thud_error *err);
 /* Returns whether a fragility can be against it: more than one number. */
 bool thud_axis_is_drawn(const struct thud_sweep_axis *axis);
 /* Returns whether an intensity of the ground motion is varied. */

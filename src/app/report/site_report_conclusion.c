@@ -7,18 +7,7 @@
 #include "app/report/site_report_private.h"
 #include "app/run/summary_line.h"
 #include "ground/target.h"
-#include "io/preset/preset.h"
 #include "study/scene/level.h"
-
-/* How a code makes one number of several ground motions, and of its gap. */
-struct site_code {
-    const char *name;
-    int rule;   /* for the gap */
-    bool by_84; /* what is enough for 84 % of the motions, in place of the mean or the largest */
-};
-static const struct site_code codes[] = {
-    {"en1998", THUD_GAP_EN1998, false}, {"asce7", THUD_GAP_ASCE7, false}, {"exact84", THUD_GAP_EXACT, true}};
-enum { CODES = sizeof codes / sizeof *codes };
 
 /* The criteria of every report whose scene has them; others stand there with a limit alone. */
 static const enum thud_measure criteria[] = {THUD_MEASURE_DRIFT_ANGLE, THUD_MEASURE_DUCTILITY,
@@ -27,61 +16,15 @@ static const enum thud_measure criteria[] = {THUD_MEASURE_DRIFT_ANGLE, THUD_MEAS
 
 /* ---- what is asked for ---- */
 
-/* By the preset's key, else by the code of the target spectrum; ASCE 7-22 has the gap of ASCE 7-16. */
-static enum thud_status read_code(struct site *site, struct thud_error *err)
-{
-    const char *own = site->scene->document.code;
-    const struct thud_target *target = site->options->target;
-    site->code = &codes[0];
-    for (int i = 0; i < CODES; i++) {
-        if (strcmp(own, codes[i].name) == 0 ||
-            (!*own && target && strncmp(thud_target_code(target)->name, codes[i].name, strlen(codes[i].name)) == 0)) {
-            site->code = &codes[i];
-            return THUD_OK;
-        }
-    }
-    if (!*own)
-        return THUD_OK;
-    thud_error_refuse(err, THUD_INPUT, "document.code", "en1998, asce7, exact84", "\"%.30s\" is not a code for the gap",
-                      own);
-    if (strcmp(thud_preset_scene(site->session->preset)->document.code, own) == 0) /* no option's */
-        thud_preset_place(site->session->preset, "document.code", err);
-    return THUD_INPUT;
-}
-
-/* "drift:1 %, force=5 MN": a limit takes the place of one before it of the same name. */
-static enum thud_status read_limits(struct site *site, const char *list, struct thud_error *err)
-{
-    enum thud_status status = THUD_OK;
-    char text[64];
-    for (size_t n; status == THUD_OK && *list; list += n + (list[n] == ',')) {
-        struct thud_event limit;
-        list += strspn(list, " ");
-        n = strcspn(list, ",");
-        snprintf(text, sizeof text, "%.*s", (int)n, list);
-        status = thud_limit_parse(text, &limit, err);
-        for (enum thud_measure m = 0; status == THUD_OK && m < THUD_MEASURES; m++) {
-            const char *word = thud_measure_info(m)->event.word;
-            if (word && strcmp(word, thud_measure_info(limit.measure)->event.word) == 0)
-                site->limit[m].text[0] = '\0';
-        }
-        if (status == THUD_OK)
-            site->limit[limit.measure] = limit;
-    }
-    return status;
-}
-
 enum thud_status thud_site_criteria_read(struct site *site, struct thud_error *err)
 {
-    enum thud_status status = read_code(site, err);
-    if (status == THUD_OK && (status = read_limits(site, site->scene->document.limits, err)) == THUD_USAGE) {
-        thud_error_key(err, "document.limits");
-        thud_preset_place(site->session->preset, "document.limits", err);
-        status = THUD_INPUT;
-        if (err)
-            err->status = status;
-    }
-    return status == THUD_OK ? read_limits(site, site->options->limits, err) : status;
+    const struct thud_target *target = site->options->target;
+    const char *own = site->scene->document.code;
+    site->code = thud_gap_practice_find(*own ? own : target ? thud_target_code(target)->name : "");
+    if (!site->code)
+        site->code = thud_gap_practice_find("en1998");
+    enum thud_status status = thud_limits_parse(site->scene->document.limits, site->limit, err);
+    return status == THUD_OK ? thud_limits_parse(site->options->limits, site->limit, err) : status;
 }
 
 /* ---- one number of several ground motions ---- */

@@ -73,7 +73,7 @@ struct site {
     struct thud_uncertainty *uncertainty;                                           /* NULL: nothing was drawn */
     struct thud_uncertainty_study samples;
     struct site_suite suite;
-    const struct site_code *code;                   /* whose gap is recommended */
+    const struct thud_gap_practice *code;           /* whose gap is recommended */
     struct thud_event limit[THUD_MEASURES];         /* by measure; an empty text: none */
     struct site_variant variant[SITE_VARIANTS_MAX]; /* (nvariants) */
     int nvariants;                                  /* 0: none are asked for */

@@ -60,7 +60,7 @@ enum thud_status thud_session_set(struct thud_session *session, const char *key,
                                   struct thud_error *err)
 {
     enum thud_status status = thud_scene_set(&session->scene, key, text, err);
-    return status == THUD_OK ? thud_events_check(&session->scene, err) : status;
+    return status == THUD_OK ? thud_words_check(&session->scene, err) : status;
 }
 
 enum thud_status thud_session_assign(struct thud_session *session, const char *assignment, struct thud_error *err)

@@ -43,7 +43,7 @@ static enum thud_status set_text(struct thud_preset *preset, const char *path, i
 {
     enum thud_status status = thud_scene_set(&preset->scene, path, text, err);
     if (status == THUD_OK)
-        status = thud_events_check(&preset->scene, err);
+        status = thud_words_check(&preset->scene, err);
     return status == THUD_OK ? THUD_OK : place_at_node(preset, node, status, err);
 }
 

@@ -129,6 +129,18 @@ const struct thud_gap_rule *thud_gap_rule_at(int rule)
     return &rules[rule + 1];
 }
 
+const struct thud_gap_practice *thud_gap_practice_find(const char *name)
+{
+    static const struct thud_gap_practice practice[] = {
+        {"en1998", THUD_GAP_EN1998, false}, {"asce7", THUD_GAP_ASCE7, false}, {"exact84", THUD_GAP_EXACT, true}};
+    for (size_t i = 0; i < sizeof practice / sizeof *practice; i++) {
+        const size_t n = strlen(practice[i].name);
+        if (strncmp(name, practice[i].name, n) == 0 && (!name[n] || name[n] == '-'))
+            return &practice[i];
+    }
+    return NULL;
+}
+
 double thud_gap_value(const struct thud_gap_level *level, int rule)
 {
     return rules[rule + 1].value(level);

@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "base/statistics.h"
 #include "base/text.h"
+#include "study/scene/gap_rule.h"
 #include "study/scene/scene_elements.h"
 #include "study/scene/scene_words.h"
 
@@ -324,13 +325,41 @@ enum thud_status thud_events_parse(const char *list, struct thud_event *out, int
     return status;
 }
 
-enum thud_status thud_events_check(const struct thud_scene *scene, struct thud_error *err)
+enum thud_status thud_limits_parse(const char *list, struct thud_event limit[THUD_MEASURES], struct thud_error *err)
 {
-    struct thud_event event[THUD_EVENTS_MAX];
+    enum thud_status status = THUD_OK;
+    char text[64];
+    for (size_t n; status == THUD_OK && *list; list += n + (list[n] == ',')) {
+        struct thud_event one;
+        list += strspn(list, " ");
+        n = strcspn(list, ",");
+        snprintf(text, sizeof text, "%.*s", (int)n, list);
+        status = thud_limit_parse(text, &one, err);
+        for (enum thud_measure m = 0; status == THUD_OK && m < THUD_MEASURES; m++) {
+            const char *word = thud_measure_info(m)->event.word;
+            if (word && strcmp(word, thud_measure_info(one.measure)->event.word) == 0)
+                limit[m].text[0] = '\0';
+        }
+        if (status == THUD_OK)
+            limit[one.measure] = one;
+    }
+    return status;
+}
+
+enum thud_status thud_words_check(const struct thud_scene *scene, struct thud_error *err)
+{
+    struct thud_event event[THUD_EVENTS_MAX], limit[THUD_MEASURES];
+    const char *code = scene->document.code;
     int n;
-    if (thud_events_parse(scene->study.events, event, &n, err) == THUD_OK)
+    if (thud_events_parse(scene->study.events, event, &n, err) != THUD_OK)
+        thud_error_key(err, "study.events");
+    else if (thud_limits_parse(scene->document.limits, limit, err) != THUD_OK)
+        thud_error_key(err, "document.limits");
+    else if (*code && !thud_gap_practice_find(code))
+        return thud_error_refuse(err, THUD_INPUT, "document.code", "en1998, asce7, exact84",
+                                 "\"%.30s\" is not a code for the gap", code);
+    else
         return THUD_OK;
-    thud_error_key(err, "study.events");
     if (err)
         err->status = THUD_INPUT;
     return THUD_INPUT;

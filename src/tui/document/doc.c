@@ -180,7 +180,7 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
 {
     enum thud_status status = thud_scene_check(next, err);
     if (status == THUD_OK)
-        status = thud_events_check(next, err);
+        status = thud_words_check(next, err);
     if (status == THUD_OK)
         status = thud_undo_note(&doc->undo, &doc->scene, next, what, err);
     if (status != THUD_OK)
