@@ -62,12 +62,27 @@ is "to the same bytes" cmp -s mine.yaml first.yaml
 is "with the same force" [ "$("$THUD" run mine.yaml --case none --json 2>err | force)" = "$first" ]
 is "and not over what is there" gives 3 --play once
 
+# what runs and what does not is in the log: designs are counted by runs
+printf 'open towers\nlive off\nset gap 5 cm\nset gap 6 cm\nrun\nlive on\nset gap 7 cm\ndesign #2\nlog live.play\n' >live
+is "a session with edits that do not run" gives 0 --play live
+is "is logged with them" [ "$(tr '\n' ';' <live.play | sed 's/.*open towers;//')" = "live off;set gap 5 cm;set gap 6 cm;run;live on;set gap 7 cm;design #2;" ]
+is "its log does it again" gives 0 --play live.play
+is "and goes back to the same design" shows '^POUNDS at 6 cm'
+
 # what is printed goes onto a full disk, and a session may be long
 if [ -w /dev/full ]; then
     printf 'open towers\n' >plain
     "$THUD" --play plain >/dev/full 2>err
     is "a full standard output: exit status 6" [ $? -eq 6 ]
     is "with the system's reason" grep -q '^thud: standard output: No space left on device$' err
+    printf 'open towers\nshow /dev/full\n' >full
+    is "a screen onto a full disk" gives 3 --play full
+    is "is refused with line, file and reason" says '^full:2: /dev/full: .*No space left on device$'
+    printf 'open towers\nset gap 12 cm\nwrite /dev/full\n' >full
+    is "a preset into a device" gives 3 --play full
+    is "is asked about by its own name" says '^full:3: .*/dev/full exists'
+    is "and no other file is written" [ ! -e /dev/full.yaml ]
+    rm -f /dev/full.yaml
 else
     echo "ok - a full standard output: exit status 6 # SKIP no /dev/full"
 fi

@@ -20,6 +20,8 @@ void thud_tui_run(struct thud_tui *tui)
 {
     const struct thud_record *record;
     struct thud_error err;
+    if (!tui->run.on && tui->run.revision != tui->doc.revision) /* not by itself, after an edit */
+        thud_tui_log(tui, "run");
     tui->run.revision = tui->run.seen = tui->doc.revision;
     tui->run.seen_history = thud_tui_wants_history(tui);
     tui->run.started_s = tui->backend->now(tui->backend);

@@ -8,12 +8,6 @@
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
 
-static int pane_count(struct thud_tui *tui)
-{
-    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
-    return thud_tui_view(tui)->layout(tui, area, rect);
-}
-
 static void undo(struct thud_tui *tui, int back)
 {
     const char *what = back ? thud_doc_undo(&tui->doc) : thud_doc_redo(&tui->doc);
@@ -88,7 +82,8 @@ static void edge(struct thud_tui *tui, int last)
 
 static void panes(struct thud_tui *tui, int step)
 {
-    thud_form_pane(&tui->form, step, pane_count(tui));
+    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
+    thud_form_pane(&tui->form, step, thud_tui_view(tui)->layout(tui, area, rect));
 }
 
 static void edit(struct thud_tui *tui, int select)

@@ -15,12 +15,6 @@ int thud_tui_where(const struct thud_tui *tui)
     return view->place ? view->place(tui) : view->where;
 }
 
-static bool on_value(const struct thud_tui *tui)
-{
-    const struct thud_field *field = thud_form_focus(&tui->form);
-    return field && field->kind == THUD_FIELD_VALUE;
-}
-
 static bool steps(const struct thud_tui *tui)
 {
     const struct thud_field *field = thud_form_focus(&tui->form);
@@ -34,18 +28,19 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
 {
     const struct thud_view *view = thud_tui_view(tui);
     const char *own = view->cannot ? view->cannot(tui, action) : NULL;
+    const struct thud_field *field = thud_form_focus(&tui->form);
     switch (action) {
     case THUD_DO_UNDO:
         return tui->doc.undo.at > 0 ? NULL : "Nothing to undo";
     case THUD_DO_REDO:
         return tui->doc.undo.at < tui->doc.undo.count ? NULL : "Nothing to do again";
     case THUD_DO_EDIT:
-        if (!thud_form_focus(&tui->form) && view->take && view->read(tui))
+        if (!field && view->take && view->read(tui))
             return isnan(tui->reading[tui->screen]) ? "Left and Right read a value first, Enter takes it" : NULL;
-        return thud_form_focus(&tui->form) ? NULL : "There is nothing to edit in this pane";
+        return field ? NULL : "There is nothing to edit in this pane";
     case THUD_DO_EDIT_OLD:
     case THUD_DO_TOGGLE:
-        return on_value(tui) ? NULL : "The cursor is on no value";
+        return field && field->kind == THUD_FIELD_VALUE ? NULL : "The cursor is on no value";
     case THUD_DO_SOLVE:
     case THUD_DO_STEP_UP:
     case THUD_DO_STEP_DOWN:

@@ -191,6 +191,7 @@ static void run_live(struct thud_tui *tui, char *rest)
         return;
     }
     tui->run.on = !off;
+    thud_tui_log(tui, off ? "live off" : "live on");
     thud_tui_say(tui, THUD_ROLE_PLAIN, tui->run.on ? "Live: every edit runs at once" : "Live is off: r runs");
 }
 

@@ -83,8 +83,9 @@ enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, str
     for (rest = text; status == THUD_OK && !tui->end.quit && (line = thud_text_line(&rest)) != NULL;) {
         number++;
         if (!play_line(tui, line, out, err)) {
+            char said[sizeof tui->said.text];
+            status = thud_error_set(err, THUD_INPUT, "%s", thud_error_text(err, said, sizeof said));
             thud_error_place(err, path, number, 0);
-            status = THUD_INPUT;
         }
     }
     free(text);

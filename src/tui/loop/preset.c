@@ -2,17 +2,20 @@
 #include <dirent.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
 #include "tui/loop/new_scene.h"
 
-/* The file of another name: `.yaml` is added where a bare name was typed. */
+/* The file of another name: `.yaml` is added where a bare name was typed that is no device's. */
 static void save_path(const char *typed, char *path, size_t size)
 {
     const char *slash = strrchr(typed, '/'), *name = slash ? slash + 1 : typed;
-    snprintf(path, size, "%s%s", typed, strchr(name, '.') ? "" : ".yaml");
+    struct stat about;
+    const bool device = stat(typed, &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
+    snprintf(path, size, "%s%s", typed, device || strchr(name, '.') ? "" : ".yaml");
 }
 
 static void save_typed(struct thud_tui *tui, const char *text)

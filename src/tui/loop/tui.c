@@ -346,6 +346,7 @@ static void work(struct thud_tui *tui)
     double limit_s = tui->run.live.history ? history_limit_s : live_limit_s;
     if (tui->run.live.running && tui->run.on && now - tui->run.started_s > limit_s) {
         tui->run.on = false;
+        thud_tui_log(tui, "live off");
         thud_tui_say(tui, THUD_ROLE_WARN, "A run takes over %g s: after an edit, r runs (:live turns this back)",
                      limit_s);
     }
