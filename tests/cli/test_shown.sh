@@ -95,6 +95,8 @@ suite records
 verify towers
 verify --published
 gap three-in-a-row --quiet
+uncertainty three-in-a-row --samples 5 --quiet
+sweep three-in-a-row --vary record.factor=0.5,1 --quiet
 fragility towers --records records --vary gap=8cm,12cm,16cm --quiet
 sweep towers --quiet
 solve towers --for force<30MN --by gap=8cm:25cm --quiet

@@ -43,7 +43,7 @@ is "its runs are counted" grep -q '"row_runs": 2' "$tmp/row.json"
 is "two buildings are no row" gives 0 gap towers --to 20s --json
 is "and have none" [ "$(grep -c row_runs "$tmp/out")" = 0 ]
 is "uncertainty of a row" gives 0 uncertainty three-in-a-row --to 12s --samples 2 --quiet
-is "names the interface that governs" shows "^The median required gap of the row, nominally that of interface 1 (A and B), is "
+is "names the interface that governs" in_lines "The median required gap of the row, nominally that of interface 1 (A and B), is 2"
 # the ends p of Wilson's 90 % interval: (share - p)^2 = z^2 p (1 - p)/n
 wilson() { awk -F, '/^Ground motions.*,band,/ { rows += 1; share = int((rows - 1) / 2) / 3; if (off(share, $7 / 100) || off(share, $8 / 100) || !($7 < 100 * share || share == 0) || !($8 > 100 * share || share == 1)) bad = 1 }
     function off(share, p, x) { x = (share - p) ^ 2 - 1.6448536269515 ^ 2 * p * (1 - p) / 3; return x > 1e-9 || x < -1e-9 }
@@ -374,9 +374,9 @@ is "have no counts, not 0 of 0" shows '^  bumper .*counts - [0-9] [0-9] of 3 at 
 is "and no row of numbers" gives 0 sweep towers --records "$three" --vary gap=2cm,40cm --cases none,bumper --quiet
 is "in the table" shows '^  bumper   A  *-    -      -      -      -       -       -  2 cm$'
 is "a force of 0 over 0 is equal" shows '^largest force  *-  *1.000  0  3  0$'
-is "where there is no bumper, none is left out" sh -c "\"\$THUD\" gap isolated-moat --quiet | grep -q '^Pounds in, MN: motions that pound at that gap, largest force;$'"
+is "where there is no bumper, none is left out" sh -c "\"\$THUD\" gap isolated-moat --quiet | grep -q '^Pounds in, MN: motions with contact at that gap, largest force; the other$'"
 is "in a row, the gaps by rule" gives 0 gap three-in-a-row --quiet
-is "are those of all its interfaces" shows '^the other interfaces have the gaps of the same rule\.$'
+is "are those of all its interfaces" in_lines ' largest force; the other interfaces have the gaps of the same rule.'
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a range as one intensity" gives 2 fragility towers --sa 0.2g:1g:0.2g
 is "with the option for it" says '^thud: --sa: .*(one value; a range: --vary record.sa=0.2g:1g:0.2g)$'
@@ -458,8 +458,8 @@ is "between them and within" anova
 nothing="--uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain mass=0 --uncertain contact-stiffness=1 --uncertain restitution=0 --uncertain bumper-stiffness=0 --uncertain bumper-exponent=0"
 # shellcheck disable=SC2086 # words
 is "the needed gap over a suite" gives 0 uncertainty towers $nothing --records "$three" --samples 9 --quiet -o "$tmp/needed"
-is "in a sentence" shows "^The median required gap is 1[0-9.]* cm; 90 % of 9 samples: [0-9.]* to 19.7 cm;"
-is "all of it between motions" shows "100 % of its variance is between ground motions"
+is "in a sentence" shows "^The median required gap is 1[0-9.]* cm; 90 % of 9 samples lie between [0-9.]* and"
+is "all of it between motions" in_lines " 19.7 cm; 100 % of its variance is between ground motions."
 needed_by_motion() { "$THUD" gap towers --records "$three" --csv 2>/dev/null | awk -F, 'FNR == NR { if (FNR > 1 && $7 > most[$1]) most[$1] = $7; next }
     FNR == 1 { for (i = 1; i <= NF; i++) if ($i == "ground-motion") r = i; file++; next }
     file == 1 { motion[$1] = $r; next }
@@ -491,7 +491,7 @@ is "and no fragility" gives 2 fragility three-in-a-row --records "$three"
 # of which point a needed gap over a grid is: thud gap at that point
 is "a grid that changes the motion without pounding" gives 0 sweep towers --to 12s --vary structures.1.stiffness=500MN/m,700MN/m --vary gap=8cm,12cm --cases none --quiet
 needed() { "$THUD" gap towers --to 12s --set "structures.1.stiffness=$1 MN/m" --csv 2>/dev/null | awk -F, 'NR > 1 && $7 > m { m = $7 } END { printf "%.2f", 100 * m }'; }
-is "says where the widest gap is needed" shows "required gap $(needed 500) cm (floors 4-4) at structures.1.stiffness 500 MN/m;"
+is "says where the widest gap is needed" in_lines "required gap $(needed 500) cm (floors 4-4) at structures.1.stiffness 500 MN/m;"
 is "and the narrowest" shows "least $(needed 700) cm at structures.1.stiffness 700 MN/m"
 # selected and scaled to a design spectrum
 mkdir "$tmp/motions"

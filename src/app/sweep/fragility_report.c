@@ -143,14 +143,17 @@ static void put_clearing(const struct thud_fragility_study *study, const struct 
                          struct thud_text *out)
 {
     const struct thud_fragility *f = &line->fragility;
+    struct thud_text words = {0};
     double clear = INFINITY;
     for (int r = 0; r < f->nexact && f->clearing > 0; r++)
         clear = fmin(clear, f->contact[r].clear_again);
     if (isfinite(clear))
-        thud_text_append(out,
-                         "\nCase %s: contact is not monotonic in the motion. The median is that of the first contact;\n"
-                         "under %d of %d motions there is no contact again at a factor of %.4g or more.\n",
+        thud_text_append(&words,
+                         "Case %s: contact is not monotonic in the motion. The median is that of the first contact; "
+                         "under %d of %d motions there is no contact again at a factor of %.4g or more.",
                          thud_case_name(study->suite->plan->cases[line->k]), f->clearing, f->nexact, clear);
+    if (words.size > 0)
+        thud_table_words(out, "\n", &words, 2);
 }
 
 /* "spectral acceleration at 0.49 s, 5 % damped (g)". */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "app/run/summary_line.h"
 #include "ground/identity.h"
 #include "io/file/json.h"
@@ -254,11 +255,13 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
                              : "");
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
+    struct thud_text words = {0};
     thud_text_append(
-        out, "Pounds in, MN: motions that pound at that gap%s%s, largest force%s.\n",
+        &words, "Pounds in, MN: motions with contact at that gap%s%s, largest force%s.",
         thud_scene_has_measure(scene) ? " " : "",
         thud_scene_has_measure(scene) ? thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene)) : "",
-        study->interfaces > 1 ? ";\nthe other interfaces have the gaps of the same rule" : "");
+        study->interfaces > 1 ? "; the other interfaces have the gaps of the same rule" : "");
+    thud_table_words(out, "", &words, 2);
     for (int rule = 0; rule < THUD_GAP_RULES; rule++)
         if (*thud_gap_rule_at(rule)->source) {
             thud_text_append(out, "%s%s", before, thud_gap_rule_at(rule)->name);

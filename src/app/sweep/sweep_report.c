@@ -88,25 +88,29 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     if (!worst || worst->level.interface == 0)
         return;
     const struct thud_sweep_need_row *least = worst + table->nrecords;
+    struct thud_text words = {0};
     char interface[24] = "", pair[40], at[PLACE];
     const double ddc_m = thud_gap_value(&worst->level, THUD_GAP_DDC);
     bool varies = thud_sweep_points(plan) > thud_sweep_points_per_group(plan) * table->nrecords;
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->level.interface);
     thud_contact_pair_name(worst->level.left_floor, worst->level.right_floor, worst->level.struck, pair, sizeof pair);
-    thud_text_append(out, "  required gap %.2f cm (%sfloors %s)",
+    thud_text_append(&words, "required gap %.2f cm (%sfloors %s)",
                      thud_table_gap_cm(worst->level.relative_displacement_m), interface, pair);
     if (varies)
-        thud_text_append(out, " at %s", thud_sweep_setting(plan, plan->nouter, worst->at, -1, true, at, PLACE));
-    thud_text_append(out, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_ABS)),
+        thud_text_append(&words, " at %s", thud_sweep_setting(plan, plan->nouter, worst->at, -1, true, at, PLACE));
+    thud_text_append(&words, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_ABS)),
                      thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_SRSS)));
     if (!isnan(ddc_m)) /* where storeys yield it has no value */
-        thud_text_append(out, ", DDC %.2f", thud_table_gap_cm(ddc_m));
-    thud_text_append(out, " cm\n");
-    if (varies)
-        thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
+        thud_text_append(&words, ", DDC %.2f", thud_table_gap_cm(ddc_m));
+    thud_text_append(&words, " cm");
+    thud_table_words(out, "  ", &words, 4);
+    if (varies) {
+        thud_text_append(&words, "least %.2f cm at %s (needed-gaps.csv of -o has every point's)",
                          thud_table_gap_cm(least->level.relative_displacement_m),
                          thud_sweep_setting(plan, plan->nouter, least->at, -1, true, at, PLACE));
+        thud_table_words(out, "    ", &words, 6);
+    }
     if (worst->fall.happened)
         thud_gap_collapse(&plan->scene, &worst->fall, "Storey", out);
 }

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "app/sweep/uncertainty_study.h"
 #include "io/file/json.h"
 #include "io/result/result_rows.h"
@@ -172,11 +173,13 @@ static void put_gap(const struct thud_uncertainty *u, int q, const struct thud_u
     if (u->governs > 0)
         snprintf(of, sizeof of, " of the row, nominally that of interface %d (%s and %s),", u->governs,
                  u->scene.structure[u->governs - 1].name, u->scene.structure[u->governs].name);
-    thud_text_append(out, "The median required gap%s is %.1f cm; 90 %% of %.0f samples: %.1f to %.1f cm", of,
-                     100 * t->median, t->count, 100 * t->low, 100 * t->high);
+    struct thud_text words = {0};
+    thud_text_append(&words, "The median required gap%s is %.1f cm; 90 %% of %.0f samples lie between %.1f and %.1f cm",
+                     of, 100 * t->median, t->count, 100 * t->low, 100 * t->high);
     if (!isnan(t->between))
-        thud_text_append(out, ";\n  %.0f %% of its variance is between ground motions", 100 * t->between);
-    thud_text_append(out, ".\n");
+        thud_text_append(&words, "; %.0f %% of its variance is between ground motions", 100 * t->between);
+    thud_text_append(&words, ".");
+    thud_table_words(out, "", &words, 2);
 }
 
 /* Whether there is contact, as the largest force tells it. */
