@@ -44,6 +44,12 @@ is "a refused command ends it" gives 3 towers --play wrong
 is "with its line" says '^wrong:2: gap: "5 kN" is a force'
 is "what came before is printed" shows '^> set gap 5 cm$'
 is "a file that is not there" gives 3 --play nowhere
+for line in 'gap -1 cm=^w3:1: gap: -1 cm is too small' 'structures.1.yeld 1 cm=^w3:1: structures.1.yeld: unknown key "yeld"; did you mean "yield"' \
+    'set gap=^w3:1: set KEY VALUE' 'paste nothing 1;2=^w3:1: Pasted text goes into fields'; do
+    echo "${line%%=*}" >w3
+    is "${line%%=*}" gives 3 --play w3
+    is "is refused as such" says "${line#*=}"
+done
 echo 'gapp 5 cm' >w2
 is "a command there is not" gives 3 --play w2
 

@@ -49,6 +49,8 @@ is "what holds all over" gives 0 solve towers --for "force < 1000 MN" --by gap=8
 is "is said" shows 'holds at every value of gap tried from 8 cm to 25 cm'
 is "bumpers up to the gap" gives 0 solve towers --for "force < 1000 MN" --by bumper.thickness=5cm:13cm
 is "are told apart from those thicker than it" in_lines 'force < 1000 MN holds at every value of bumper.thickness tried from 5 cm to 10 cm; 11 cm and more is not possible '
+is "gaps below the bumper's thickness" gives 0 solve towers --for "no pounding" --by gap=1cm:30cm
+is "are told by the largest that was tried" in_lines 'no pounding holds from gap = 24.72885 cm (not at 24.713 cm); 4.625 cm and less is not possible '
 is "none that is possible" gives 0 solve towers --for "no pounding" --by bumper.thickness=11cm:13cm
 is "is told" shows '^no value of bumper.thickness from 11 cm to 13 cm is possible$'
 is "no criterion" gives 2 solve towers --by gap=8cm:25cm

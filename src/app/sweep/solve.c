@@ -228,7 +228,7 @@ void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
         thud_text_append(out, ", under %g %% of %d ground motion%s", 100 * solve->share, solve->nrecords,
                          solve->nrecords == 1 ? "" : "s");
     if (first->motions > 0 && first > solve->tried)
-        thud_text_append(out, "; below %s it is not possible", first->value);
+        thud_text_append(out, "; %s and less is not possible", first[-1].value);
     if (first->motions > 0 && last < &solve->tried[solve->n - 1])
         thud_text_append(out, "; %s and more is not possible", last[1].value);
     thud_text_append(out, "\n");

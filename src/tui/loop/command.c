@@ -28,7 +28,7 @@ static void run_set(struct thud_tui *tui, char *rest)
     char *key = rest;
     size_t n = strcspn(rest, " =");
     if (n == 0 || !rest[n]) {
-        thud_tui_say(tui, THUD_ROLE_WARN, "set KEY VALUE: for example  set gap 5 cm");
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! set KEY VALUE: for example  set gap 5 cm");
         return;
     }
     char *value = rest + n + strspn(rest + n, " =");
@@ -278,9 +278,9 @@ void thud_tui_command(struct thud_tui *tui, char *text)
     }
     const struct command *c = find(first);
     const bool of_scene = begins_with_key(tui, word); /* "gap 12 cm", beside the command of that name */
-    if (!c && !of_scene)
+    if (!c && !of_scene && !strchr(first, '.'))
         list_words(tui, first);
-    else if (!c || (c->verb && *rest && *rest != '-' && of_scene))
+    else if (!c || (c->verb && *rest && (*rest != '-' || strchr("0123456789.", rest[1])) && of_scene))
         run_set(tui, word);
     else if (c->key)
         thud_tui_set(tui, c->key, unquoted(rest));

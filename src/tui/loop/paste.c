@@ -135,7 +135,7 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
         return;
     }
     if (!field || field->kind != THUD_FIELD_VALUE) {
-        thud_tui_say(tui, THUD_ROLE_WARN, "Pasted text goes into fields, and the cursor is on none");
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! Pasted text goes into fields, and the cursor is on none");
         return;
     }
     struct thud_scene next = tui->doc.scene;
