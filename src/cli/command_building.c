@@ -105,7 +105,9 @@ static enum thud_status put_built(const struct thud_scene *scene, enum thud_writ
                                   struct thud_error *err)
 {
     struct built b = {scene, NULL, -1};
-    enum thud_status status = thud_scene_assemble(scene, &b.model, err);
+    struct thud_scene alone = *scene; /* modes of each building by itself, as in a run */
+    alone.nlinks = 0;
+    enum thud_status status = thud_scene_assemble(&alone, &b.model, err);
     if (status != THUD_OK)
         return status;
     const struct thud_rows storeys = rows_of(&b, false), modes = rows_of(&b, true);

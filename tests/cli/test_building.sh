@@ -5,6 +5,14 @@
 frame=presets/frame-beside-wall.frame.csv
 wall=presets/frame-beside-wall.wall.csv
 
+# periods are those of a run, of each building by itself, also of linked ones
+for preset in towers towers-linked towers-on-soil isolated-pendulum; do
+    periods() { "$THUD" "$1" $preset --quiet 2>/dev/null | sed -n 's/^\([^ ].*: T1 [0-9.]* s, T2 [0-9.]* s\), .*/\1/p'; }
+    is "the periods of $preset are those of its run" [ -n "$(periods building)" -a "$(periods building)" = "$(periods run)" ]
+done
+is "modes of linked buildings" gives 0 building towers-linked --json
+is "are as many as floors" [ "$(grep -c '"structure": "A", "mode": ' "$tmp/out")" -eq 4 ]
+is "with all of the building's mass" [ "$(sed -n 's/.*"structure": "A", "mode": 4, .*"mass_ratio_sum": \([0-9.]*\).*/\1/p' "$tmp/out" | awk '{ print ($1 > 0.999999 && $1 < 1.000001) }')" = 1 ]
 is "a matrix is read" gives 0 building import "$frame" --set mass="[250 t, 250 t, 250 t, 250 t, 250 t, 200 t]"
 is "with its unit and floors" shows '^stiffness matrix, kN/m; 6 floors; the file begins with the lowest floor$'
 is "symmetric" shows '^symmetric$'
