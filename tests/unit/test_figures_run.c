@@ -255,7 +255,8 @@ START_TEST(walls_do_not_set_the_scale_of_spectra)
 }
 END_TEST
 
-/* A wall that gives is a mass between its own spring and the soil's, each with its number; not a part of the ground. */
+/* A wall that gives is a mass between its own spring and the soil's, each with its number; not a part of the ground,
+ * also where it has no height. */
 START_TEST(a_wall_that_gives_is_drawn_with_what_holds_it)
 {
     struct sample *s = make();
@@ -263,10 +264,11 @@ START_TEST(a_wall_that_gives_is_drawn_with_what_holds_it)
     scene = *s->source.scene;
     struct thud_structure *wall = &scene.structure[1];
     wall->kind = THUD_WALL;
-    wall->height_m[0] = 3;
     wall->wall_mass_kg = 27e3;
     wall->wall_stiffness_npm = 40e6;
-    for (int soil = 0; soil < 2; soil++) {
+    for (int i = 0; i < 3; i++) {
+        const int soil = i == 1;
+        wall->height_m[0] = i < 2 ? 3 : INFINITY;
         wall->backfill_stiffness_npm = soil ? 304.5e6 : NAN;
         wall->backfill_strength_n = soil ? 4.89e6 : NAN;
         wall->backfill_ratio = wall->backfill_gap_m = NAN;
@@ -280,6 +282,7 @@ START_TEST(a_wall_that_gives_is_drawn_with_what_holds_it)
         ck_assert(!strstr(script.data, "304.5 MN/m") == !soil);
         ck_assert(!strstr(script.data, "soil behind the wall") == !soil);
         ck_assert_ptr_null(strstr(script.data, "moves with the ground"));
+        ck_assert_ptr_null(strstr(script.data, "inf"));
         thud_text_clear(&script);
         thud_figure_free(figure);
     }

@@ -182,11 +182,13 @@ static const char *wall_name(const struct thud_structure *p)
     return thud_wall_gives(p) ? "flexible wall" : "wall, moves with the ground";
 }
 
-/* Its mass, and to the side where no neighbour is its springs, which end at the ground. */
+/* Its mass, and to the side where no neighbour is its springs, which end at the ground. Of a wall without a height the
+ * mass stands in the middle of the drawing. */
 static void wall_that_gives(const struct drawing *d, int s)
 {
     const struct thud_structure *p = &d->scene->structure[s];
-    const double x = d->at[s], z = elevation(d, s, 0), high = d->high - d->low, out = s > 0 ? 1 : -1;
+    const double x = d->at[s], high = d->high - d->low, out = s > 0 ? 1 : -1;
+    const double z = isfinite(elevation(d, s, 0)) ? elevation(d, s, 0) : d->low + 0.5 * high;
     const char *const name[] = {"stiffness of the wall", "soil behind the wall"};
     const double stiffness[] = {p->wall_stiffness_npm, p->backfill_stiffness_npm};
     char text[48];
@@ -197,9 +199,10 @@ static void wall_that_gives(const struct drawing *d, int s)
         snprintf(text, sizeof text, "%.4g MN/m", 1e-6 * stiffness[k]);
         thud_panel_label(d->model, end + 0.2 * out, y, (int)out, text);
     }
+    line(d->model, wall_name(p), (struct thud_style){.color = FRAME, .wide = true}, x, d->low, x, top_of_wall(d, s));
     dot(d->model, "mass", MASS, x, z);
     snprintf(text, sizeof text, "%.4g t", 1e-3 * p->wall_mass_kg);
-    thud_panel_label(d->model, x, z + 0.1 * high, 0, text);
+    thud_panel_label(d->model, x + 0.2 * out, z + 0.13 * high, (int)out, text);
 }
 
 static void in_elevation(const struct drawing *d, int s)
