@@ -139,6 +139,17 @@ is "and tells of the link" grep -q '^- Link 1, A.4-B.4 (spring), [^:]*: largest 
         --vary "links.1.damping=1000 kN s/m,4000 kN s/m"
     is "needs what gap says with the one" shows "required gap $at_1 cm .* at links.1.damping 1000"
     is "and with the other" shows "least $at_4 cm at links.1.damping 4000"
+    # equal in towers with and without links: periods and damping of the rule are each building's own
+    rho() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "correlation") c = i; next } { printf "%.5f\n", $c }' "$1" | sort -u; }
+    motion_of="--records kobe-surrogate.csv:peak=0.821g"
+    "$THUD" gap towers $motion_of --csv --quiet >"$tmp/rho.csv"
+    bare_rho=$(rho "$tmp/rho.csv")
+    "$THUD" gap towers-linked $motion_of --csv --quiet >"$tmp/rho.csv"
+    is "the correlation of DDC is that of the buildings without links" [ "$bare_rho" = 0.06291 -a "$(rho "$tmp/rho.csv")" = "$bare_rho" ]
+    is "a study with its required gaps" gives 0 sweep towers-linked $motion_of --vary gap=10cm --cases none,link --quiet -o "$tmp/ddc" --no-figures
+    is "has the same" [ "$(rho "$tmp/ddc/needed-gaps.csv")" = "$bare_rho" ]
+    is "a report of linked buildings" gives 0 report towers-linked $motion_of --samples 0 --no-simplify --no-pdf -o "$tmp/own" --quiet
+    is "has each building's own period and damping" [ "$(grep -c '^| A | 0.398 | 5 | \|^| B | 0.582 | 5 | ' "$tmp/own/report.md")" -eq 2 ]
     is "cases with and without the link" gives 0 run $scene $motion --cases none,bumper,link --quiet
     is "need two gaps" [ "$(grep -c 'do not collide at gaps' "$tmp/out")" -eq 2 ]
     is "the names of the cases say what they leave out" shows "neither bumper nor links  bumper, no links  links, no bumper"

@@ -12,8 +12,9 @@
 /* Computes the levels of a finished run without contact, (model->npairs); their heights are not known. */
 double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
                      bool right); /* left_m, right_m */
-void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
-                     struct thud_gap_level *level);
+/* `alone`: the same structures without links, whose damping ratios are their own; may be `model`. */
+void thud_gap_levels(const bool *aligned, const struct thud_model *alone, const struct thud_model *model,
+                     const struct thud_baseline_motion *baseline, struct thud_gap_level *level);
 
 /* Required gap under one ground motion. */
 struct thud_needed_gap {
@@ -48,7 +49,7 @@ double thud_gap_widest(const struct thud_gap_level *of, int n, int interface, in
  * levels. */
 double thud_needed_gap_with_bumpers(const struct thud_needed_gap *gap, const struct thud_scene *scene, int interface);
 
-/* Returns the damping ratio of the first mode of a structure; 0: it has no modes. */
+/* Returns the damping ratio of the first mode of a structure, of a model without links; 0: it has no modes. */
 double thud_gap_damping(const struct thud_model *model, int structure);
 /* Returns whether a rule requires too little, by more than rounding. */
 bool thud_gap_falls_short(double asked_m, double needed_m);

@@ -147,7 +147,7 @@ static const char *or_dash(const char *text)
 static double first_mode(const struct site *site, const struct thud_record *record, int s, double *sd_m)
 {
     const double period = site->own->result->structure[s].period_s[0], omega = 2 * acos(-1) / period;
-    *sd_m = thud_spectrum_at(record, period, thud_gap_damping(site->own->solution.model, s)).displacement_m;
+    *sd_m = thud_spectrum_at(record, period, thud_gap_damping(site->cases[SITE_NONE].solution.model, s)).displacement_m;
     return omega * omega * *sd_m / THUD_GRAVITY;
 }
 
@@ -260,8 +260,8 @@ void thud_site_loads(struct site *site)
             continue;
         double sd_m, sa_g = first_mode(site, site->record, s, &sd_m);
         thud_document_line(d, "%s\t%.3f\t%.3g\t%s\t%s", thud_site_name(site, s), r->period_s[0],
-                           100 * thud_gap_damping(site->own->solution.model, s), thud_site_number(sa_g, 3).text,
-                           thud_site_number(100 * sd_m, 3).text);
+                           100 * thud_gap_damping(site->cases[SITE_NONE].solution.model, s),
+                           thud_site_number(sa_g, 3).text, thud_site_number(100 * sd_m, 3).text);
         mark[nmarks].period_s = r->period_s[0];
         snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
         nmarks++;

@@ -77,8 +77,8 @@ static bool has_yielded(const struct thud_result *result, int s)
     return false;
 }
 
-void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
-                     struct thud_gap_level *level)
+void thud_gap_levels(const bool *aligned, const struct thud_model *alone, const struct thud_model *model,
+                     const struct thud_baseline_motion *baseline, struct thud_gap_level *level)
 {
     /* part of two displacements that their difference is right to: sides that move alike are apart by 4e-14 of them */
     static const double rounding = 1e-12;
@@ -98,8 +98,8 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
             .relative_displacement_m = apart_m,
             .correlation = has_yielded(result, left) || has_yielded(result, right)
                                ? NAN
-                               : thud_spacing_correlation(first_period(result, left), thud_gap_damping(model, left),
-                                                          first_period(result, right), thud_gap_damping(model, right)),
+                               : thud_spacing_correlation(first_period(result, left), thud_gap_damping(alone, left),
+                                                          first_period(result, right), thud_gap_damping(alone, right)),
             .height_m = NAN,
             .lower_m = NAN};
         if (apart_m <= rounding * (level[c].left_m + level[c].right_m)) {
@@ -144,8 +144,8 @@ static double largest_ductility(const struct thud_result *result)
     return most;
 }
 
-static struct thud_needed_gap *read_gap(const struct thud_scene *scene, const struct thud_model *model,
-                                        const struct thud_baseline_motion *baseline)
+static struct thud_needed_gap *read_gap(const struct thud_scene *scene, const struct thud_model *alone,
+                                        const struct thud_model *model, const struct thud_baseline_motion *baseline)
 {
     const struct thud_result *result = thud_baseline_result(baseline);
     const int nlevels = model->npairs;
@@ -163,7 +163,7 @@ static struct thud_needed_gap *read_gap(const struct thud_scene *scene, const st
     gap->collapse = result->collapse;
     gap->ductility = largest_ductility(result);
     thud_gap_aligned(scene, aligned);
-    thud_gap_levels(aligned, model, baseline, gap->level);
+    thud_gap_levels(aligned, alone, model, baseline, gap->level);
     set_heights(scene, gap);
     return gap;
 }
@@ -173,7 +173,7 @@ static enum thud_status run_gap(const struct thud_scene *scene, int open, const 
                                 struct thud_needed_gap **out, struct thud_error *err)
 {
     struct thud_run_options options;
-    struct thud_model *model = NULL;
+    struct thud_model *model = NULL, *unlinked = NULL;
     struct thud_baseline_motion *baseline = NULL;
     struct thud_scene *bare = malloc(sizeof *bare);
     bool done = false;
@@ -189,14 +189,19 @@ static enum thud_status run_gap(const struct thud_scene *scene, int open, const 
         status = thud_scene_assemble(bare, &model, err);
     if (status == THUD_OK)
         status = thud_scene_options(bare, &options, err);
+    const bool linked = bare->nlinks > 0;
+    bare->nlinks = 0;
+    if (status == THUD_OK && linked)
+        status = thud_scene_assemble(bare, &unlinked, err);
     free(bare);
     if (status == THUD_OK)
         status = thud_baseline_create(model, open, record, &options, &baseline, err);
     while (status == THUD_OK && !done)
         status = thud_baseline_advance(baseline, 1L << 20, &done, err);
-    if (status == THUD_OK && !(*out = read_gap(scene, model, baseline)))
+    if (status == THUD_OK && !(*out = read_gap(scene, linked ? unlinked : model, model, baseline)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     thud_baseline_free(baseline);
+    thud_model_free(unlinked);
     thud_model_free(model);
     return status;
 }

@@ -159,7 +159,8 @@ enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long b
     enum thud_status status = thud_sweep_same_advance(group, budget, done, err);
     for (int l = 0; l < group->nlinkages && status == THUD_OK && *done; l++) {
         const struct thud_sweep_baseline *nominal = &group->baseline[l][0];
-        thud_gap_levels(group->aligned, nominal->model, nominal->baseline, group->level + l * nominal->model->npairs);
+        thud_gap_levels(group->aligned, group->baseline[group->nlinkages - 1][0].model, nominal->model,
+                        nominal->baseline, group->level + l * nominal->model->npairs);
     }
     return status;
 }
