@@ -68,6 +68,9 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "call the slab and the storeys as everything else does" sh -c "grep -q 'isolated, storey 4' '$tmp/figures/drift.gp' && ! grep -q 'storey 5' '$tmp/figures/drift.gp' && grep -q 'base slab' '$tmp/figures/force.gp'"
     is "a comparison of cases" gives 0 run isolated-moat --cases none --to 12s --quiet
     is "too" sh -c "grep -q '^ base  *[0-9.]*  *264.6$' '$tmp/out' && tr -s '\n ' '  ' <'$tmp/out' | grep -q 'and isolated at the base slab, '"
+    is "a report" gives 0 report isolated-pendulum --to 8s --samples 0 --no-simplify --no-pdf -o "$tmp/rep" --quiet
+    is "names the isolators with the storeys whose ductility is theirs" grep -q 'largest ductility of the isolators and storeys of isolated is' "$tmp/rep/report.md"
+    is "among the criteria too" grep -q '^| largest ductility, also of isolators |' "$tmp/rep/report.md"
     is "events" gives 0 run isolated-pendulum --events --to 6s --quiet
     is "are of the isolators, with their force" shows '^  *1\.48.* isolated, isolators yield .* -756\.9'
     is "fragility" gives 0 fragility isolated-pendulum --vary record.peak=0.2g,0.897g --cases none --event isolator:20cm -o "$tmp/f" --quiet

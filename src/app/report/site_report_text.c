@@ -107,6 +107,8 @@ static double largest_of(const struct site_case *one, int s, int table)
 /* Storeys that yield, in every case. */
 static void say_yielding(struct site *site, int s)
 {
+    const struct thud_structure *p = &site->scene->structure[s];
+    const bool isolators = p->kind == THUD_ISOLATED && thud_isolator_slides(p);
     char said[400] = "";
     for (int i = 0; i < site->ncases; i++) {
         double ductility = largest_of(&site->cases[i], s, FLOOR_DUCTILITY);
@@ -115,8 +117,8 @@ static void say_yielding(struct site *site, int s)
         thud_append(said, sizeof said, "%s%.2f %s (%.1f mm stay)", i ? ", " : "", ductility, site->cases[i].words,
                     1e3 * largest_of(&site->cases[i], s, FLOOR_PERMANENT));
     }
-    thud_document_item(&site->document, "The largest ductility of the storeys of %s is %s; up to 1 they are elastic.",
-                       thud_site_name(site, s), said);
+    thud_document_item(&site->document, "The largest ductility of the %sstoreys of %s is %s; up to 1 they are elastic.",
+                       isolators ? "isolators and " : "", thud_site_name(site, s), said);
 }
 
 static double larger_of(const struct thud_column_result *r, enum thud_column_quantity lower)
