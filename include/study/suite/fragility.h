@@ -65,13 +65,11 @@ enum thud_event_form { THUD_FORM_EVENT, THUD_FORM_LIMIT, THUD_FORM_CRITERION };
 void thud_events_list(enum thud_event_form form, struct thud_text *out);
 /* Reads "pounding", "force:5 MN": the words of the table of measures. Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
-/* Reads "drift=1 %", "force: 5 MN": the limit of a measure by the word of its event. Errors: THUD_USAGE. */
-enum thud_status thud_limit_parse(const char *text, struct thud_event *out, struct thud_error *err);
 /* Reads several separated by commas, also in brackets; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX.
  * Errors: THUD_USAGE. */
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);
-/* Reads several with commas between into the places of their measures; one takes the place of those before it that have
- * its word. Errors: THUD_USAGE. */
+/* Reads limits, "drift=1 %, force: 5 MN", by the words of events, into the places of their measures; one takes the place
+ * of those before it that have its word. Errors: THUD_USAGE. */
 enum thud_status thud_limits_parse(const char *list, struct thud_event limit[THUD_MEASURES], struct thud_error *err);
 /* Whether the words of studies and reports can be read, where they are set: study.events, document.limits and
  * document.code. Errors: THUD_INPUT with the key. */

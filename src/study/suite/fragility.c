@@ -300,7 +300,7 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
     return parse(text, ':', out, err);
 }
 
-enum thud_status thud_limit_parse(const char *text, struct thud_event *out, struct thud_error *err)
+static enum thud_status parse_limit(const char *text, struct thud_event *out, struct thud_error *err)
 {
     enum thud_status status = parse(text, '=', out, err);
     return status == THUD_OK && !thud_measure_info(out->measure)->event.example ? refuse_event(text, '=', err) : status;
@@ -334,7 +334,7 @@ enum thud_status thud_limits_parse(const char *list, struct thud_event limit[THU
         list += strspn(list, " ");
         n = strcspn(list, ",");
         snprintf(text, sizeof text, "%.*s", (int)n, list);
-        status = thud_limit_parse(text, &one, err);
+        status = parse_limit(text, &one, err);
         for (enum thud_measure m = 0; status == THUD_OK && m < THUD_MEASURES; m++) {
             const char *word = thud_measure_info(m)->event.word;
             if (word && strcmp(word, thud_measure_info(one.measure)->event.word) == 0)
