@@ -232,8 +232,8 @@ static inline void some_pairs(const struct thud_coupled_motion *c, int first, co
         thud_vec2_put(sum[i], out + 2 * (first + i));
 }
 
-void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, double *x,
-                                 const double *ground, const double *after, int intervals)
+int thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, double *x,
+                                const double *ground, const double *after, int intervals, int direction)
 {
     const int n = c->n, row = c->first_mode * ENDS;
     double *now = c->now, *next = now + c->size;
@@ -259,7 +259,10 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
             qd[at] = now[n + j] = next[n + j];
             now[j] = x[at] = q[at] - s[j]; /* as it were if the block began here */
         }
+        if (c->soft && direction * thud_dot(n, c->soft, now + n) < 0)
+            return t + 1;
     }
+    return intervals;
 }
 
 void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *x, const double *qd, const double *ground,

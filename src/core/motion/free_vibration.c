@@ -136,7 +136,7 @@ static int intervals_left(struct thud_free_vibration *f, const struct thud_state
     left = left < aligned ? left : aligned;
     if (left * f->pieces > PIECES_MOST)
         left = f->pieces < PIECES_MOST ? PIECES_MOST / f->pieces : 1;
-    return left < f->size ? (int)left : f->size;
+    return (f->yields >= 0 && f->size > 0) || left < f->size ? (int)left : f->size;
 }
 
 int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud_state *state)
@@ -145,7 +145,7 @@ int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud
     f->size = f->size > 0 ? f->size : SHORT_BLOCK;
     if (tried == 0)
         return 0;
-    thud_free_vibration_fill(f, state, tried);
+    tried = thud_free_vibration_fill(f, state, tried);
     f->certain = -1;
     int intervals = thud_free_vibration_until_yield(f, state, thud_free_vibration_until_contact(f, state, tried));
     intervals = thud_free_vibration_until_collapse(f, state, intervals);

@@ -103,12 +103,11 @@ static void fill_speeds(struct thud_free_vibration *f, const struct thud_model *
     }
 }
 
-void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
+int thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
     shift_modes(f, state);
     for (int t = 0; t < intervals; t++)
         thud_state_ground(state, state->grid + t, &f->ground[t], &f->after[t]);
-    f->ground_most = thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
     for (int j = 0; j < f->n; j++) {
         f->q[j * ENDS] = state->q[j];
         f->qd[j * ENDS] = state->qd[j];
@@ -119,8 +118,10 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
         recurrence(f, intervals, false);
     for (int s = 0; s < f->nsystems; s++)
         if (f->coupled[s].size > 0)
-            thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q, f->qd, f->shift, f->moved, f->ground,
-                                        f->after, intervals);
+            intervals = thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q, f->qd, f->shift, f->moved,
+                                                    f->ground, f->after, intervals,
+                                                    f->yields < 0 ? 0 : state->storey[f->yields].direction);
+    f->ground_most = thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
     f->slope = 0;
     for (int t = 0; t < intervals; t++)
         f->slope = thud_larger(f->slope, fabs(f->after[t] - f->ground[t]) / f->dt_s);
@@ -135,6 +136,7 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
     thud_segment_begin(state, &f->series.seg, h, thud_segment_all_terms(state, h)); /* forces, constant in the block */
     f->ends = intervals + 1;
     fill_speeds(f, state->model);
+    return intervals;
 }
 
 /* `count` rows of a matrix (columns each) times rows of modes, by four ends at a time (rows are long enough): the more at

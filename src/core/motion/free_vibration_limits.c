@@ -297,8 +297,10 @@ static double fill_drift(struct thud_free_vibration *f, const struct thud_state 
 static double fill_rate(struct thud_free_vibration *f, const struct thud_state *state, int k)
 {
     const struct thud_coupled_motion *c = &f->coupled[f->nsystems + k];
-    memset(f->gap, 0, ENDS * sizeof *f->gap);
-    thud_add_rows(ENDS, c->n, -state->storey[k].direction, c->soft, f->qd + c->first_mode * ENDS, f->gap);
+    memset(f->gap, 0, (size_t)f->ends * sizeof *f->gap);
+    for (int j = 0; j < c->n; j++)
+        for (int t = 0; t < f->ends; t++)
+            f->gap[t] -= state->storey[k].direction * c->soft[j] * f->qd[(c->first_mode + j) * ENDS + t];
     return -f->dt_s * f->dt_s / 8 *
            thud_free_vibration_bend(f, state->model, state->model->storey[k].structure, c->soft, 3);
 }

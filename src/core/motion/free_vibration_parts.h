@@ -22,8 +22,8 @@ enum thud_status thud_free_vibration_make_tables(const struct thud_state *state,
 bool thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct thud_free_vibration *like);
 
 /* free_vibration_block.c: the modal states at the ends of the intervals from the state on, and the modes' largest
- * speeds. */
-void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
+ * speeds. Returns how many intervals: fewer where the storey that yields unloads in the last. */
+int thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 /* -(Omega^2 x + D v), with Omega^2 + kappa g g^T while a storey yields, of the modes of a structure at the ends of the
  * block, all rows; where damping does not couple its modes, x is their places, and out of q - s. */
 void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
