@@ -160,13 +160,6 @@ int thud_segment_all_terms(const struct thud_state *state, double h_s)
     return thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
 }
 
-void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
-                        double h_s)
-{
-    thud_segment_ground(state, seg, grid, offset_s, h_s);
-    seg->terms = thud_segment_all_terms(state, h_s);
-}
-
 /* Sets the forces to 0 and lists the rows that can have one: those of the last segment, as only rows that acted at its
  * start have any, or all after a step of a stepping method. */
 static void clear_forces(const struct thud_state *state, struct thud_segment *seg)

@@ -77,12 +77,10 @@ int thud_segment_terms(double angle, double least);
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s, int terms);
 /* Terms of a series over h seconds of the run's motion, to rounding. */
 int thud_segment_all_terms(const struct thud_state *state, double h_s);
-/* Only the place, an offset after the start of an interval of the ground motion, and the ground acceleration; */
+/* Only the place, an offset after the start of an interval of the ground motion, and the ground acceleration: for a
+ * segment whose forces and terms stand already. */
 void thud_segment_ground(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
                          double h_s);
-/* these and the number of terms: for a segment whose forces stand already. */
-void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
-                        double h_s);
 
 /* Taylor coefficients of the motion from (q, qd) under seg->a0, a1 and the forces in seg->force. Exact to rounding
  * where omega h is about 1.5 or less. */

@@ -47,8 +47,9 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
         return thud_collocation_step(state, seg, own, err);
     const struct thud_model *m = state->model;
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
-    const double h = fmin(thud_state_remaining(state), longest_angle / thud_segment_rate(state));
-    thud_segment_begin(state, seg, h, (int)thud_smaller(thud_segment_all_terms(state, h), THUD_SEGMENT_TERMS_TRIED));
+    const double rate = thud_segment_rate(state), h = fmin(thud_state_remaining(state), longest_angle / rate);
+    const int terms = thud_segment_terms(rate * h, THUD_TOL_SERIES);
+    thud_segment_begin(state, seg, h, terms < THUD_SEGMENT_TERMS_TRIED ? terms : THUD_SEGMENT_TERMS_TRIED);
     double tail = thud_taylor_linear(state, seg);
     while (tail > THUD_TOL_SERIES_TAIL) {
         double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS_TRIED - 4));

@@ -48,7 +48,7 @@ static void place_series(struct thud_free_vibration *f, const struct thud_state 
     if (series->t == t && series->piece == piece)
         return;
     const bool goes_on = series->t == t && series->piece >= 0 && piece == series->piece + 1;
-    thud_segment_place(state, &series->seg, state->grid + t, piece * h, h);
+    thud_segment_ground(state, &series->seg, state->grid + t, piece * h, h);
     series->t = t;
     series->piece = piece;
     for (int s = 0; s < m->nsystems; s++) {
@@ -71,7 +71,7 @@ const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration
     place_series(f, state, t, piece);
     for (int i = 0; i <= piece && !*has; i++) {
         start_piece(f, &state->model->structure[structure], t, i);
-        thud_segment_place(state, &f->series.seg, state->grid + t, i * h, h);
+        thud_segment_ground(state, &f->series.seg, state->grid + t, i * h, h);
         make_series(f, state, structure);
     }
     *has = true;
