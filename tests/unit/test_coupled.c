@@ -176,6 +176,76 @@ START_TEST(a_light_slab_that_strikes)
 }
 END_TEST
 
+/* The series of a building whose slab is pressed against a wall, beside a building that damping does not couple: each
+ * order against the equation of motion and the law of the contact, of few modes and of many. */
+START_TEST(series_hold_the_equation_order_by_order)
+{
+    enum { MOST = 12 };
+    double mass[MOST], stiffness[MOST];
+    struct march_law law = march_law("kelvin-voigt-no-tension", "stiffness", 2.5e9, "restitution", 0.6, NULL);
+    for (int i = 0; i < MOST; i++) {
+        mass[i] = 300e3 + 20e3 * i;
+        stiffness[i] = i == 0 ? 12e6 : 6e8 - 3e7 * i;
+    }
+    struct thud_structure_input s[3] = {{.n = 3, .mass_kg = mass, .stiffness_npm = stiffness + 1, .damping = 0.03},
+                                        {.n = _i + 1,
+                                         .mass_kg = mass,
+                                         .stiffness_npm = stiffness,
+                                         .damping = 0.05,
+                                         .isolated = true,
+                                         .isolation_damping = 0.15},
+                                        {.n = 0}};
+    struct thud_contact_input contact = {.interface = 2,
+                                         .left_floor = 1,
+                                         .left_structure = 1,
+                                         .right_structure = 2,
+                                         .clearance_m = 0.02,
+                                         .law = law.law,
+                                         .setup = law.setup};
+    struct thud_model *m;
+    struct thud_segment seg;
+    ck_assert_int_eq(
+        thud_model_create(
+            &(struct thud_model_input){.nstructures = 3, .structure = s, .ncontacts = 1, .contact = &contact}, &m,
+            NULL),
+        THUD_OK);
+    struct march run = march_run(m, NULL, "exact", 0, 0, true, 0.01);
+    struct thud_state *state = &run.run->state;
+    state->contact[0].mode = THUD_CLOSED;
+    state->contact[0].branch = (struct thud_branch){.k_npm = 2.5e9, .c_nspm = 6e6};
+    state->nactive = 1;
+    state->grid = 0;
+    state->offset_s = 0;
+    for (int j = 0; j < m->nmodes; j++) {
+        state->q[j] = 30 * sin(1 + j);
+        state->qd[j] = 300 * cos(2 + 3 * j);
+    }
+    const double h = 0.5 / thud_segment_rate(state);
+    ck_assert_int_eq(thud_segment_init(&seg, m, NULL), THUD_OK);
+    thud_segment_begin(state, &seg, h, thud_segment_all_terms(state, h));
+    thud_taylor_linear(state, &seg);
+    const struct thud_model_structure *p = &m->structure[1];
+    for (int k = 0; k + 2 < seg.terms; k++) {
+        const double *q = seg.q + k * m->nmodes, *q1 = q + m->nmodes, *q2 = q1 + m->nmodes, force = seg.force[k],
+                     d = thud_model_gap_sum(m, 0, q) - (k == 0 ? 0.02 : 0), d1 = thud_model_gap_sum(m, 0, q1);
+        ck_assert_double_eq_tol(force, 2.5e9 * d + 6e6 * (k + 1) / h * d1,
+                                1e-12 * (2.5e9 * fabs(d) + 6e6 * (k + 1) / h * fabs(d1)) + 1e-9);
+        for (int j = 0; j < m->nmodes; j++) {
+            double sum = m->spring[j] * q[j] + m->jacobian[j] * force + m->dashpot[j] * (k + 1) / h * q1[j],
+                   size = fabs(m->spring[j] * q[j]) + fabs(m->jacobian[j] * force);
+            for (int i = 0; i < p->modes && p->damping && j >= p->first_mode; i++) {
+                sum += p->damping[(j - p->first_mode) * p->modes + i] * (k + 1) / h * q1[p->first_mode + i];
+                size += fabs(p->damping[(j - p->first_mode) * p->modes + i] * (k + 1) / h * q1[p->first_mode + i]);
+            }
+            ck_assert_double_eq_tol(q2[j] * (k + 1) * (k + 2) / (h * h), -sum, 1e-11 * size + 1e-9);
+        }
+    }
+    thud_segment_clear(&seg);
+    march_free(&run);
+    thud_model_free(m);
+}
+END_TEST
+
 /* Derivative of a floor's displacement of this order at s of a series. */
 static double derivative(const struct thud_model *m, const struct thud_segment *seg, int floor, int order, double s)
 {
@@ -342,6 +412,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, against_the_exponential, 0, SLABS);
     tcase_add_loop_test(tcase, against_dormand_prince, 0, SLABS);
     tcase_add_test(tcase, a_light_slab_that_strikes);
+    tcase_add_loop_test(tcase, series_hold_the_equation_order_by_order, 0, 12);
     tcase_add_loop_test(tcase, propagator_against_series, 0, 4);
     tcase_add_test(tcase, propagator_with_plastic_drifts);
     suite_add_tcase(suite, tcase);

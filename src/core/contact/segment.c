@@ -31,6 +31,8 @@ static void forget(const struct thud_segment *seg, int nrows)
     }
 }
 
+enum { DENSE_MOST = 8 }; /* modes of a system whose orders are made in registers */
+
 enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
 {
     const size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
@@ -296,13 +298,81 @@ double thud_segment_tail(const struct thud_segment *seg, const struct thud_model
     return tail;
 }
 
-/* All orders of a slice of the modes from q and q' at t0, under the forces of the segment. */
-static void series_of(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, const double *q,
-                      const double *qd)
+/* A system's matrices with its rows that act, whose forces are no loads then. */
+struct folded {
+    int system;                                                               /* -1: none */
+    double spring[DENSE_MOST * DENSE_MOST], dashpot[DENSE_MOST * DENSE_MOST]; /* sum k g g^T; D + sum c g g^T */
+};
+
+/* Of n modes from `first` on that damping couples, the orders from k + 2 on, where there are no loads. The two orders
+ * that the next one needs stay in registers, as n is a constant; folded may be NULL. */
+static inline void dense_orders(const struct thud_model *m, const struct thud_segment *seg, int first, int k,
+                                const int n, const double *folded, const double *damping)
 {
+    double *next = seg->q + k * m->nmodes + first;
+    thud_vec2 q[DENSE_MOST / 2], q1[DENSE_MOST / 2];
+    for (int i = 0; i < n; i += 2) {
+        q[i / 2] = thud_vec2_some(next + i, i + 1 == n);
+        q1[i / 2] = thud_vec2_some(next + m->nmodes + i, i + 1 == n);
+    }
+    for (next += 2 * m->nmodes; k + 2 < seg->terms; k++, next += m->nmodes) {
+        const double by_q = load_factor(seg, k), by_q1 = -seg->h_s / (k + 2);
+        thud_vec2 spring[DENSE_MOST / 2] = {0}, dashpot[DENSE_MOST / 2] = {0};
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i += 2) {
+                if (folded)
+                    spring[i / 2] += q[j / 2][j % 2] * thud_vec2_some(folded + j * n + i, i + 1 == n);
+                dashpot[i / 2] += q1[j / 2][j % 2] * thud_vec2_some(damping + j * n + i, i + 1 == n);
+            }
+        for (int i = 0; i < n; i += 2) {
+            spring[i / 2] += thud_vec2_some(m->spring + first + i, i + 1 == n) * q[i / 2];
+            q[i / 2] = q1[i / 2];
+            q1[i / 2] = by_q * spring[i / 2] + by_q1 * dashpot[i / 2];
+            thud_vec2_put_some(q1[i / 2], next + i, i + 1 == n);
+        }
+    }
+}
+
+/* The orders of a slice from k + 2 on where there are no loads, system by system. */
+static void unloaded_orders(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, int k,
+                            const struct folded *folded)
+{
+    for (int s = of->system; s < of->system + of->systems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
+        const struct slice one = {s, 1, p->first_mode, p->modes};
+        const double *spring = folded && folded->system == s ? folded->spring : NULL,
+                     *damping = spring ? folded->dashpot : p->damping;
+        switch (damping ? p->modes : 0) {
+#define DENSE(n)                                                                                                       \
+    case n:                                                                                                            \
+        dense_orders(m, seg, p->first_mode, k, n, spring, damping);                                                    \
+        break;
+            DENSE(1)
+            DENSE(2)
+            DENSE(3)
+            DENSE(4)
+            DENSE(5)
+            DENSE(6)
+            DENSE(7)
+            DENSE(DENSE_MOST)
+        default:
+            for (int i = k; i + 2 < seg->terms && p->modes > 0; i++)
+                next_order(m, seg, &one, i);
+        }
+    }
+}
+
+/* All orders of a slice of the modes from q and q' at t0, under the forces of the segment. */
+static inline void series_of(const struct thud_model *m, struct thud_segment *seg, const struct slice *of,
+                             const double *q, const double *qd)
+{
+    const int loaded = seg->loaded > 2 ? seg->loaded : 2, /* orders 0 and 1 have the ground's */
+        end = m->couples && loaded < seg->terms - 2 ? loaded : seg->terms - 2;
     first_terms(m, seg, of, q, qd);
-    for (int k = 0; k + 2 < seg->terms; k++)
+    for (int k = 0; k < end; k++)
         next_order(m, seg, of, k);
+    if (end < seg->terms - 2)
+        unloaded_orders(m, seg, of, end, NULL);
 }
 
 void thud_taylor_given(const struct thud_model *model, struct thud_segment *seg, const double *q, const double *qd)
@@ -368,18 +438,64 @@ static void constraint_forces(const struct thud_state *state, struct thud_segmen
     }
 }
 
+/* Folds a row that acts; false: it sticks, it is of two systems or not of that of the others, or of one without D. */
+static bool fold_row(const struct thud_state *state, int c, struct folded *to)
+{
+    const struct thud_model *m = state->model;
+    int structure[2] = {0}, systems = thud_model_row_structures(m, c, structure);
+    const struct thud_model_structure *p = &m->structure[structure[0]];
+    const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes + p->first_mode;
+    if (thud_row_sticks(state, c) || systems > 1 || (to->system >= 0 && to->system != p->system) || !p->damping ||
+        p->modes > DENSE_MOST)
+        return false;
+    if (to->system < 0)
+        memcpy(to->dashpot, p->damping, (size_t)(p->modes * p->modes) * sizeof *to->dashpot);
+    to->system = p->system;
+    for (int j = 0; j < p->modes * p->modes; j++) {
+        const double gg = g[j / p->modes] * g[j % p->modes];
+        to->spring[j] += thud_row_branch(state, c)->k_npm * gg;
+        to->dashpot[j] += thud_row_branch(state, c)->c_nspm * gg;
+    }
+    return true;
+}
+
+/* Forces from order 2 on of the rows that act, by the modes. */
+static void read_forces(const struct thud_state *state, struct thud_segment *seg)
+{
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
+        const struct thud_branch *branch = thud_row_branch(state, c);
+        double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS;
+        if (!thud_row_by_branch(state, c))
+            continue;
+        thud_segment_indentation(state, seg, c, d);
+        for (int k = 2; k < seg->terms; k++)
+            seg->force[k * state->model->nrows + c] =
+                branch->k_npm * d[k] + (k + 1 < seg->terms ? branch->c_nspm * (k + 1) / seg->h_s * d[k + 1] : 0);
+    }
+}
+
 static void linear_series(const struct thud_state *state, struct thud_segment *seg, const struct slice *of,
                           bool sticking, const double *q, const double *qd)
 {
+    struct folded folded = {.system = -1};
+    bool folds = true;
+    for (int i = 0; i < seg->rows && folds; i++)
+        folds = !thud_row_acts(state, seg->row[i]) || fold_row(state, seg->row[i], &folded);
     first_terms(state->model, seg, of, q, qd);
-    seg->loaded = seg->terms;
-    for (int k = 0; k < seg->terms; k++) {
+    seg->loaded = folds && seg->terms > 2 ? 2 : seg->terms; /* orders 0 and 1 of an indentation may be exactly 0 */
+    for (int k = 0; k < seg->loaded; k++) {
         linear_forces(state, seg, k);
         if (k + 2 < seg->terms)
             next_order(state->model, seg, of, k);
         if (k + 2 < seg->terms && sticking)
             constraint_forces(state, seg, k);
     }
+    if (folds) {
+        unloaded_orders(state->model, seg, of, 2, &folded);
+        read_forces(state, seg);
+    }
+    seg->loaded = seg->terms;
 }
 
 void thud_taylor_structure(const struct thud_state *state, struct thud_segment *seg, int structure, bool yields,
@@ -470,8 +586,10 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     int suppressed = 0;
     for (int k = 0; k < seg->terms; k += 4) { /* neighbours that move alike have exactly no relative motion */
         thud_vec2 left[4] = {0}, right[4] = {0};
-        thud_add_dots(l->modes, l->row, seg->q + k * m->nmodes + l->first_mode, m->nmodes, 4, left);
-        thud_add_dots(r->modes, r->row, seg->q + k * m->nmodes + r->first_mode, m->nmodes, 4, right);
+        if (l->modes > 0)
+            thud_add_dots(l->modes, l->row, seg->q + k * m->nmodes + l->first_mode, m->nmodes, 4, left);
+        if (r->modes > 0)
+            thud_add_dots(r->modes, r->row, seg->q + k * m->nmodes + r->first_mode, m->nmodes, 4, right);
         for (int i = 0; i < 4; i++)
             out[k + i] = thud_vec2_sum(left[i]) - thud_vec2_sum(right[i]);
         for (int i = 0; i < 4 && at_zero; i++)

@@ -44,9 +44,9 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
                                           int system, int mode, int storey, struct thud_error *err);
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
 
-/* Rows of q, qd and of x = q - s of all modes, from the first value of q and qd on, under the ground accelerations at the
- * start and at the end of each interval, and constant forces under which the modes rest at s. Returns how many intervals:
- * a row that yields in `direction` ends them where its rate has turned. */
+/* Rows of q, qd and of x = q - s of all modes, from the first value of q and qd on, under the ground accelerations at
+ * the start and at the end of each interval, and constant forces under which the modes rest at s. Returns how many
+ * intervals: a row that yields in `direction` ends them where its rate has turned. */
 int thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, const double *s, double *x,
                                 const double *ground, const double *after, int intervals, int direction);
 /* Sums over the first intervals of the same rows, of which the following are made. */
