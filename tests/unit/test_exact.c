@@ -251,13 +251,15 @@ START_TEST(grazing_shorter_than_a_step)
 }
 END_TEST
 
-/* Two masses fly against both sides of a wall and part from it one after the other inside one interval: a step goes on
- * behind both separations. Hertz's contact lasts as long as the integral over the energy says, and returns the speed. */
+/* Two masses fly against both sides of a wall and part from it inside a step, which goes on behind the separation. A
+ * contact without losses lasts as long as the integral over the energy says, and returns the speed. */
 START_TEST(parting_inside_a_step)
 {
-    static const double v[] = {0.5, 0.7}, k = 2e9, n = 1.5;
+    static const double v[] = {0.5, 0.3}, n = 2.65, tolerance = 1e-4;
     double mass[] = {160e3, 320e3}, soft = 1e-3, wait_s[] = {1e-3, 1.2e-3};
-    struct march_law law = march_law("hertz", "stiffness", k, NULL);
+    const double k = 0.36e3 * pow(1000, n);
+    struct march_law law =
+        march_law("rubber", "stiffness", k, "exponent", n, "restitution", 1.0, "thickness", 0.05, NULL);
     struct thud_record *still = march_motion(0);
     for (int late = 0; late < 2; late++) { /* which of the two parts first */
         struct thud_structure_input s[3] = {{0}};
@@ -277,18 +279,18 @@ START_TEST(parting_inside_a_step)
         struct thud_model_input input = {.nstructures = 3, .structure = s, .ncontacts = 2, .contact = c};
         struct thud_model *model = NULL;
         ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
-        struct march m = exact(model, still, 1e-6, 0);
+        struct march m = exact(model, still, tolerance, 0);
         for (int i = 0; i < 2; i++) {
             const double m_i = model->contact[i].setup.mass_kg, q = n + 1,
                          depth = pow(q * m_i * v[i] * v[i] / (2 * k), 1 / q),
                          lasts_s = 2 * depth / v[i] * sqrt(THUD_PI) * tgamma(1 + 1 / q) / tgamma(0.5 + 1 / q);
             ck_assert_int_eq(m.result->contact[i].impacts, 1);
-            ck_assert_double_eq_tol(m.result->contact[i].contact_time_s / lasts_s, 1, 1e-6);
-            ck_assert_double_eq_tol(m.result->contact[i].indentation.value / depth, 1, 1e-6);
-            ck_assert_double_eq_tol(m.result->contact[i].separation_mps / v[i], 1, 1e-6);
-            ck_assert_double_eq_tol(fabs(march_velocity(&m, i)) / v[i], 1, 1e-6);
+            ck_assert_double_eq_tol(m.result->contact[i].contact_time_s / lasts_s, 1, tolerance);
+            ck_assert_double_eq_tol(m.result->contact[i].indentation.value / depth, 1, tolerance);
+            ck_assert_double_eq_tol(m.result->contact[i].separation_mps / v[i], 1, tolerance);
+            ck_assert_double_eq_tol(fabs(march_velocity(&m, i)) / v[i], 1, tolerance);
         }
-        ck_assert_int_eq(m.run->work.events, 4);
+        ck_assert_int_eq(m.run->work.events, 6);
         march_free(&m);
         thud_model_free(model);
     }
