@@ -195,10 +195,11 @@ static enum thud_status part(struct thud_state *state, struct thud_contact_log *
                              int c, double s, struct thud_error *err)
 {
     const double time_s = seg->start_s + s * seg->h_s;
-    double at[3];
-    thud_poly_value3(thud_segment_read(state, seg, c), seg->terms, s, at);
-    if (state->contact[c].mode == THUD_CLOSED)
+    if (state->contact[c].mode == THUD_CLOSED) {
+        double at[3];
+        thud_poly_value3(thud_segment_read(state, seg, c), seg->terms, s, at);
         thud_contact_released(state, log, c, time_s, at[1] / seg->h_s);
+    }
     state->work->events++;
     const bool there = thud_contact_indentation(state, c) >= -THUD_TOL_INDENTATION_M;
     const enum thud_status status = thud_contact_open(state, log, c, there, err);

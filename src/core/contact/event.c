@@ -130,19 +130,12 @@ static double from_end(const struct view *v, double distance)
     return there ? 0 : distance;
 }
 
-/* Coefficients of the force, out (terms). */
-static void read_force(const struct view *v, double *out)
-{
-    for (int k = 0; k < v->seg->terms; k++)
-        out[k] = v->seg->force[k * v->state->model->nrows + v->c];
-}
-
 static void constraint_function(const struct view *v, bool high, double *out)
 {
     const struct thud_state *state = v->state;
     const struct thud_contact_state *s = &state->contact[v->c];
     double rounding = state->model->contact[v->c].setup.mass_kg * thud_contact_rounding(state);
-    read_force(v, out);
+    thud_segment_force(v->seg, state->model->nrows, v->c, v->seg->terms, out);
     out[0] = high ? from_end(v, out[0] - s->constraint_high_n) - rounding
                   : from_end(v, out[0] - s->constraint_low_n) + rounding;
 }
@@ -392,7 +385,7 @@ static bool parts_quietly(const struct view *v, double s)
         return false;
     if (contact->mode == THUD_CLOSED_NO_FORCE)
         return true;
-    read_force(v, force);
+    thud_segment_force(v->seg, v->state->model->nrows, v->c, v->seg->loaded, force);
     for (int i = 1; i <= PLACES && ends; i++)
         most = thud_larger(most, fabs(thud_poly_value(force, v->seg->loaded, s + (1 - s) * i / PLACES)));
     return ends && most <= part * v->state->tolerance * contact->expected_force_n;

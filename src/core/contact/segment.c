@@ -31,8 +31,6 @@ static void forget(const struct thud_segment *seg, int nrows)
     }
 }
 
-enum { DENSE_MOST = 8 }; /* modes of a system whose orders are made in registers */
-
 enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
 {
     const size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
@@ -297,6 +295,8 @@ double thud_segment_tail(const struct thud_segment *seg, const struct thud_model
     }
     return tail;
 }
+
+enum { DENSE_MOST = 8 }; /* modes of a system whose orders are made in registers */
 
 /* A system's matrices with its rows that act, whose forces are no loads then. */
 struct folded {

@@ -110,6 +110,12 @@ static inline const double *thud_segment_read(const struct thud_state *state, co
     thud_segment_contact(state, seg, c);
     return seg->notes->indentation + c * THUD_SEGMENT_TERMS;
 }
+/* Coefficients of the force of a row, out (terms). */
+static inline void thud_segment_force(const struct thud_segment *seg, int nrows, int row, int terms, double *out)
+{
+    for (int k = 0; k < terms; k++)
+        out[k] = seg->force[k * nrows + row];
+}
 /* Fills the bounds of the notes, and the state at s. */
 void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model, double s);
 /* Whether the segment holds a force of contact c: where nothing is located, of one that does not act any more, too. */

@@ -50,8 +50,7 @@ static void indentation_peak(struct thud_contact_log *log, const struct thud_obs
 static int force_of(const struct thud_observation *o, int c, double *out)
 {
     const int terms = o->seg->interpolates ? o->seg->terms : o->seg->loaded;
-    for (int k = 0; k < terms; k++)
-        out[k] = o->seg->force[k * o->state->model->nrows + c];
+    thud_segment_force(o->seg, o->state->model->nrows, c, terms, out);
     return terms;
 }
 

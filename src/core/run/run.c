@@ -71,10 +71,10 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         return status;
     const bool falls = p.switched && p.event == THUD_EVENT_COLLAPSE;
     bool switched = p.switched;
-    if (p.s > 0)
+    if (p.s > 0) {
         commit(run, &p);
-    if (p.s > 0)
         status = thud_contacts_part(&run->state, &run->log, &run->seg, p.s, err);
+    }
     if (status == THUD_OK && !run->seg.end) /* else it has been looked at as a proposal */
         status = thud_run_check_state(run, run->state.q, run->state.qd, err);
     if (status == THUD_OK && falls)
