@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/largest.h"
 #include "core/motion/free_vibration.h"
 #include "core/numerics/tolerance.h"
@@ -241,32 +242,24 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
 {
     const struct thud_model *m = state->model;
     const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
-                 floors = THUD_FLOOR_QUANTITIES * (size_t)m->ndof, structures = (size_t)m->nstructures,
-                 shapes = (size_t)m->nshapes;
+                 structures = (size_t)m->nstructures;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
-    peaks->block = calloc(floors + structures * (3 + (size_t)m->nrows) + 2 * shapes * stride +
-                              (MODE_ROWS + VALUE_ROWS) * stride + THUD_SEGMENT_TERMS * (stride + n) + 2 * n + 1,
-                          sizeof *peaks->block);
-    peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
-    peaks->made = calloc(stride + 1, sizeof *peaks->made);
-    peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper);
-    peaks->row = malloc((rows + 1) * sizeof *peaks->row);
-    peaks->due = malloc((rows + 1) * sizeof *peaks->due);
-    if (!peaks->block || !peaks->push || !peaks->made || !peaks->upper || !peaks->row || !peaks->due) {
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(peaks->per_speed, THUD_FLOOR_QUANTITIES * m->ndof),
+                 THUD_PIECE(peaks->ground, structures), THUD_PIECE(peaks->as_speed, structures),
+                 THUD_PIECE(peaks->quiet, structures), THUD_PIECE(peaks->per_force, structures * (size_t)m->nrows),
+                 THUD_PIECE(peaks->shape, 2 * (size_t)m->nshapes * stride),
+                 THUD_PIECE(peaks->modal, MODE_ROWS * stride), THUD_PIECE(peaks->value, VALUE_ROWS * stride),
+                 THUD_PIECE(peaks->series, THUD_SEGMENT_TERMS * stride), THUD_PIECE(peaks->rest, n),
+                 THUD_PIECE(peaks->acceleration, (THUD_SEGMENT_TERMS + 1) * n), THUD_PIECE(peaks->push, m->nrows),
+                 THUD_PIECE(peaks->made, stride), THUD_PIECE(peaks->row, rows), THUD_PIECE(peaks->due, rows));
+    if (status != THUD_OK)
+        return status;
+    peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper); /* large: not to be cleared */
+    if (!peaks->upper) {
         thud_peaks_clear(peaks);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    peaks->per_speed = peaks->block;
-    peaks->ground = peaks->per_speed + floors;
-    peaks->as_speed = peaks->ground + structures;
-    peaks->quiet = peaks->as_speed + structures;
-    peaks->per_force = peaks->quiet + structures;
-    peaks->shape = peaks->per_force + structures * (size_t)m->nrows;
-    peaks->modal = peaks->shape + 2 * shapes * stride;
-    peaks->value = peaks->modal + MODE_ROWS * stride;
-    peaks->series = peaks->value + VALUE_ROWS * stride;
-    peaks->rest = peaks->series + THUD_SEGMENT_TERMS * stride;
-    peaks->acceleration = peaks->rest + n;
     fill_shapes(peaks, m);
     thud_response_bound_fill(peaks, state);
     return state->locates ? THUD_OK
@@ -275,12 +268,8 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
 
 void thud_peaks_clear(struct thud_peaks *peaks)
 {
-    free(peaks->block);
-    free(peaks->push);
-    free(peaks->made);
+    free(peaks->per_speed);
     free(peaks->upper);
-    free(peaks->row);
-    free(peaks->due);
     thud_end_peaks_clear(&peaks->of_ends);
     *peaks = (struct thud_peaks){0};
 }

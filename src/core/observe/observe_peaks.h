@@ -53,7 +53,6 @@ struct thud_peaks {
     struct thud_peak_row *row; /* (quantities x floors of one structure) those that may pass in the block */
     double *upper; /* (rows x intervals of a block) bound of each inside an interval; 0: it need not be read */
     int *due;      /* (rows) those read in one interval */
-    double *block;
 };
 
 /* Bounds of the row inside the intervals in which it may pass both what it has reached and what it surely reaches in the
