@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "core/contact/storey.h"
 #include "core/motion/free_vibration.h"
 #include "core/numerics/vec.h"
@@ -253,31 +254,21 @@ enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_
                                   const struct thud_contact_log *log, double limit, struct thud_error *err)
 {
     *ledger = (struct thud_ledger){.log = log, .limit = limit};
-    struct thud_rate_powers *power = calloc(THUD_LOBATTO_RULES, sizeof *power);
-    ledger->power = power;
-    ledger->rates = calloc(THUD_LOBATTO_INNER * (size_t)model->nmodes + 1, sizeof *ledger->rates);
-    ledger->work = calloc((size_t)model->ncontacts + 1, sizeof *ledger->work);
-    if (!power || !ledger->rates || !ledger->work) {
-        thud_ledger_clear(ledger);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    for (int rule = 0; rule < THUD_LOBATTO_RULES; rule++)
+    const enum thud_status status = THUD_LAY(err, THUD_PIECE(ledger->power, THUD_LOBATTO_RULES),
+                                             THUD_PIECE(ledger->rates, THUD_LOBATTO_INNER * model->nmodes),
+                                             THUD_PIECE(ledger->work, model->ncontacts));
+    for (int rule = 0; rule < THUD_LOBATTO_RULES && status == THUD_OK; rule++)
         for (int i = 0; i < thud_lobatto[rule].inner; i++) {
             double x = 1;
             for (int k = 1; k < THUD_SEGMENT_TERMS; k++, x *= thud_lobatto[rule].node[i])
-                power[rule].order[k][i] = (thud_vec2_aligned){k * x, k * x};
+                ledger->power[rule].order[k][i] = (thud_vec2_aligned){k * x, k * x};
         }
-    return THUD_OK;
+    return status;
 }
 
 void thud_ledger_clear(struct thud_ledger *ledger)
 {
     free(ledger->power);
-    free(ledger->rates);
-    free(ledger->work);
-    ledger->power = NULL;
-    ledger->rates = NULL;
-    ledger->work = NULL;
 }
 
 void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *state)
