@@ -1,8 +1,6 @@
 /* The inside of an alpha step: what the scheme (alpha_step.c) and the contact forces at its end (alpha_forces.c) share. */
 #pragma once
 
-#include <lapacke.h>
-
 #include "core/methods/alpha_step.h"
 #include "core/model/modal_operator.h"
 
@@ -25,7 +23,7 @@
  * and q1, v1, a1 are corrected by them (correct). */
 struct thud_alpha_work {
     struct thud_alpha p;
-    struct thud_modal_operator *op;
+    struct thud_modal_operator op;
     double h_made; /* step that the operator and the responses belong to */
     struct thud_motion end[THUD_STEPS_AT_ONCE + 1], work;
     double *a0, *a1;            /* (nmodes); r itself where the scheme has no other */
@@ -42,7 +40,6 @@ struct thud_alpha_work {
     bool fresh;                      /* a0 is to be recomputed from r0 */
     double a0_step_s;                /* step that a0 comes from */
     double ground_mps2, before_mps2; /* ground acceleration at t1, and at the end of the step before */
-    double *block;
 };
 
 /* Contact forces at t1 by the laws, into x->end[1].force, and whether no contact is closed there into its apart. Where a

@@ -17,44 +17,30 @@ static double time_offset(const struct thud_alpha *p)
     return p->am - p->af;
 }
 
-static void release(void *own)
-{
-    struct thud_alpha_work *x = own;
-    if (!x)
-        return;
-    thud_modal_operator_free(x->op);
-    free(x->block);
-    free(x);
-}
-
 static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
                                struct thud_error *err)
 {
     const struct thud_alpha *parameters = method->scheme;
     const struct thud_model *m = state->model;
     const size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, size = thud_motion_size(m);
-    struct thud_alpha_work *x = calloc(1, sizeof *x);
-    *own = NULL;
+    struct thud_alpha_work *x, to = {.p = *parameters, .fresh = true};
     assert(time_offset(parameters) != 0 || parameters->am == 0);
-    if (!x ||
-        THUD_LAY(err, THUD_PIECE(x->block, (THUD_STEPS_AT_ONCE + 2) * size + n), THUD_PIECE(x->a1, n),
-                 THUD_PIECE(x->rhs, n), THUD_PIECE(x->response, nc * n), THUD_PIECE(x->w, nc * nc),
-                 THUD_PIECE(x->matrix, nc * nc), THUD_PIECE(x->change, nc), THUD_PIECE(x->d, nc), THUD_PIECE(x->v, nc),
-                 THUD_PIECE(x->a, nc), THUD_PIECE(x->reach, nc), THUD_PIECE(x->active, nc),
-                 THUD_PIECE(x->pivot, nc)) != THUD_OK ||
-        thud_modal_operator_create(m, &x->op, err) != THUD_OK) {
-        release(x);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    x->a0 = thud_motion_place(&x->work, m, x->block);
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(x, 1), THUD_PIECE(to.a0, (THUD_STEPS_AT_ONCE + 2) * size + n), THUD_PIECE(to.a1, n),
+                 THUD_PIECE(to.rhs, n), THUD_PIECE(to.response, nc * n), THUD_PIECE(to.w, nc * nc),
+                 THUD_PIECE(to.matrix, nc * nc), THUD_PIECE(to.change, nc), THUD_PIECE(to.d, nc), THUD_PIECE(to.v, nc),
+                 THUD_PIECE(to.a, nc), THUD_PIECE(to.reach, nc), THUD_PIECE(to.active, nc), THUD_PIECE(to.pivot, nc),
+                 THUD_MODAL_OPERATOR_PIECES(to.op, m));
+    *own = x;
+    if (status != THUD_OK)
+        return status;
+    *x = to;
+    x->a0 = thud_motion_place(&x->work, m, x->a0);
     for (int i = 0; i <= THUD_STEPS_AT_ONCE; i++)
         x->a0 = thud_motion_place(&x->end[i], m, x->a0);
-    x->p = *parameters;
-    x->fresh = true;
     for (size_t i = 0; i < nc * n; i++) /* a mode without a spring goes any way */
         if (m->jacobian[i] != 0)
             x->reach[i / n] += m->jacobian[i] * m->jacobian[i] / m->spring[i % n];
-    *own = x;
     return THUD_OK;
 }
 
@@ -65,10 +51,10 @@ static void prepare(const struct thud_model *m, struct thud_alpha_work *x, doubl
         return;
     const double part = 1 - x->p.af;
     x->h_made = h;
-    thud_modal_operator_set(x->op, m, 1 - x->p.am, part * x->p.gamma * h, part * x->p.beta * h * h);
+    thud_modal_operator_set(&x->op, m, 1 - x->p.am, part * x->p.gamma * h, part * x->p.beta * h * h);
     for (int c = 0; c < m->nrows; c++) {
         double *r = x->response + c * m->nmodes;
-        thud_modal_operator_apply(x->op, m, m->jacobian + c * m->nmodes, r);
+        thud_modal_operator_apply(&x->op, m, m->jacobian + c * m->nmodes, r);
         for (int j = 0; j < m->nmodes; j++)
             r[j] *= part;
         for (int a = 0; a < m->nrows; a++)
@@ -133,7 +119,7 @@ static void predict(const struct thud_state *state, struct thud_alpha_work *x, c
     thud_model_acceleration(m, q, v, x->ground_mps2, rhs);
     for (int j = 0; j < n && own; j++)
         rhs[j] = (1 - p->af) * rhs[j] + p->af * from->qdd[j] - p->am * a0[j];
-    thud_modal_operator_apply(x->op, m, rhs, a1);
+    thud_modal_operator_apply(&x->op, m, rhs, a1);
     for (int j = 0; j < n; j++) {
         q[j] += end_q * a1[j];
         v[j] += end_v * a1[j];
@@ -256,4 +242,4 @@ static void committed(const struct thud_state *state, void *own, const struct th
     }
 }
 
-const struct thud_stepper thud_alpha_stepper = {create, step, committed, release};
+const struct thud_stepper thud_alpha_stepper = {create, step, committed, free};

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/arena.h"
 #include "core/methods/method.h"
 #include "core/methods/stepping.h"
 #include "core/model/modal_operator.h"
@@ -17,42 +16,28 @@
 static const double rho = 0.5;
 
 struct kr {
-    struct thud_modal_operator *a1_operator, *end_operator; /* A1, and ((1 - am) I + (1 - af)(...))^-1 */
+    struct thud_modal_operator a1_operator, end_operator; /* A1, and ((1 - am) I + (1 - af)(...))^-1 */
     struct thud_motion start, end, work;
     double *a, *smooth, *rhs, *spare; /* (nmodes); a: the scheme's acceleration */
     double h_made;
     bool started;
 };
 
-static void release(void *own)
-{
-    struct kr *x = own;
-    if (!x)
-        return;
-    thud_modal_operator_free(x->a1_operator);
-    thud_modal_operator_free(x->end_operator);
-    free(x->start.q);
-    free(x);
-}
-
 static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
                                struct thud_error *err)
 {
     (void)method;
     const struct thud_model *m = state->model;
-    struct kr *x = calloc(1, sizeof *x);
-    *own = NULL;
-    if (!x ||
-        THUD_LAY(err, THUD_MOTION_PIECES(x->start, m), THUD_MOTION_PIECES(x->end, m), THUD_MOTION_PIECES(x->work, m),
-                 THUD_PIECE(x->a, m->nmodes), THUD_PIECE(x->smooth, m->nmodes), THUD_PIECE(x->rhs, m->nmodes),
-                 THUD_PIECE(x->spare, m->nmodes)) != THUD_OK ||
-        thud_modal_operator_create(m, &x->a1_operator, err) != THUD_OK ||
-        thud_modal_operator_create(m, &x->end_operator, err) != THUD_OK) {
-        release(x);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
+    struct kr *x, to = {0};
+    const enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(x, 1), THUD_MOTION_PIECES(to.start, m), THUD_MOTION_PIECES(to.end, m),
+                 THUD_MOTION_PIECES(to.work, m), THUD_PIECE(to.a, m->nmodes), THUD_PIECE(to.smooth, m->nmodes),
+                 THUD_PIECE(to.rhs, m->nmodes), THUD_PIECE(to.spare, m->nmodes),
+                 THUD_MODAL_OPERATOR_PIECES(to.a1_operator, m), THUD_MODAL_OPERATOR_PIECES(to.end_operator, m));
+    if (status == THUD_OK)
+        *x = to;
     *own = x;
-    return THUD_OK;
+    return status;
 }
 
 /* In the order of the equations above: q1 and v1 by A1 a0; r1 there, with the contact forces of that state; and a1, for
@@ -67,8 +52,8 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
     const struct thud_model *m = state->model;
     double h = thud_step_length(state), y = gamma * h, z = beta * h * h;
     if (fabs(h - x->h_made) > 1e-11 * h) {
-        thud_modal_operator_set(x->a1_operator, m, 1, y, z);
-        thud_modal_operator_set(x->end_operator, m, 1 - am, (1 - af) * y, (1 - af) * z);
+        thud_modal_operator_set(&x->a1_operator, m, 1, y, z);
+        thud_modal_operator_set(&x->end_operator, m, 1 - am, (1 - af) * y, (1 - af) * z);
         x->h_made = h;
     }
     memcpy(x->start.q, state->q, (size_t)m->nmodes * sizeof(double));
@@ -77,7 +62,7 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
     if (!x->started)
         memcpy(x->a, x->start.qdd, (size_t)m->nmodes * sizeof(double));
     x->started = true;
-    thud_modal_operator_apply(x->a1_operator, m, x->a, x->smooth);
+    thud_modal_operator_apply(&x->a1_operator, m, x->a, x->smooth);
     for (int j = 0; j < m->nmodes; j++) {
         x->end.q[j] = state->q[j] + h * state->qd[j] + h * h * (0.5 + gamma) * x->smooth[j];
         x->end.qd[j] = state->qd[j] + h * x->smooth[j];
@@ -89,7 +74,7 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
     thud_modal_forward(m, am, af * y, af * z, x->a, x->spare);
     for (int j = 0; j < m->nmodes; j++)
         x->rhs[j] -= x->spare[j];
-    thud_modal_operator_apply(x->end_operator, m, x->rhs, x->a);
+    thud_modal_operator_apply(&x->end_operator, m, x->rhs, x->a);
     thud_step_write(state, seg, h, &x->start, &x->end, &x->work);
     return THUD_OK;
 }
@@ -104,5 +89,5 @@ const struct thud_method thud_method_kr_alpha = {
     .order = 1,
     .stability = INFINITY,
     .limits = "none in linear structures; stiff contacts, which its matrices do not know, make it unstable",
-    .stepper = &(const struct thud_stepper){create, step, NULL, release},
+    .stepper = &(const struct thud_stepper){create, step, NULL, free},
 };

@@ -2,51 +2,9 @@
  * a system, D has a dense block, whose inverse is made once for a length of step and then only multiplied. */
 #include "core/model/modal_operator.h"
 
-#include <lapacke.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/numerics/vec.h"
-
-struct thud_modal_operator {
-    double *diagonal; /* (nmodes) the inverse */
-    double *dense;    /* the inverse blocks of the coupled systems, one after the other, column-major */
-    double *work;
-    lapack_int *pivot;
-};
-
-enum thud_status thud_modal_operator_create(const struct thud_model *model, struct thud_modal_operator **out,
-                                            struct thud_error *err)
-{
-    size_t n = (size_t)model->nmodes, dense = 0;
-    for (int i = 0; i < model->nsystems; i++) {
-        const struct thud_model_structure *p = &model->structure[model->system[i]];
-        if (p->damping)
-            dense += (size_t)p->modes * (size_t)p->modes;
-    }
-    struct thud_modal_operator *op = *out = calloc(1, sizeof *op);
-    if (op) {
-        op->diagonal = calloc(2 * n + dense + 1, sizeof(double));
-        op->pivot = calloc(n + 1, sizeof *op->pivot);
-    }
-    if (!op || !op->diagonal || !op->pivot) {
-        thud_modal_operator_free(op);
-        *out = NULL;
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    op->work = op->diagonal + n;
-    op->dense = op->work + n;
-    return THUD_OK;
-}
-
-void thud_modal_operator_free(struct thud_modal_operator *op)
-{
-    if (!op)
-        return;
-    free(op->diagonal);
-    free(op->pivot);
-    free(op);
-}
 
 void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_model *model, double x, double y,
                              double z)

@@ -2,15 +2,22 @@
  * structures whose damping D couples their modes, which have a dense block. */
 #pragma once
 
-#include "base/status.h"
+#include <lapacke.h>
+
+#include "base/arena.h"
 #include "core/model/model.h"
 
-struct thud_modal_operator;
-
-/* Errors: THUD_MEMORY. */
-enum thud_status thud_modal_operator_create(const struct thud_model *model, struct thud_modal_operator **out,
-                                            struct thud_error *err);
-void thud_modal_operator_free(struct thud_modal_operator *op);
+struct thud_modal_operator {
+    double *diagonal; /* (nmodes) the inverse */
+    double *dense;    /* the inverse blocks of the coupled systems, one after the other, column-major */
+    double *work;
+    lapack_int *pivot;
+};
+/* Its arrays as pieces of a block (base/arena.h). */
+#define THUD_MODAL_OPERATOR_PIECES(op, model)                                                                          \
+    THUD_PIECE((op).diagonal, (model)->nmodes),                                                                        \
+        THUD_PIECE((op).dense, ((model)->couples ? (model)->nmodes : 0) * (model)->nmodes),                            \
+        THUD_PIECE((op).work, (model)->nmodes), THUD_PIECE((op).pivot, (model)->nmodes)
 
 void thud_modal_operator_set(struct thud_modal_operator *op, const struct thud_model *model, double x, double y,
                              double z);
