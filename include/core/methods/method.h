@@ -20,7 +20,7 @@ struct thud_method;
 
 /* How methods of one family step. */
 struct thud_stepper {
-    /* Creates the method's own memory (may stay NULL). Errors: THUD_MEMORY. */
+    /* Creates the method's own memory (may stay NULL). Errors: THUD_MEMORY; what *own has is to be freed then, too. */
     enum thud_status (*create)(const struct thud_method *method, const struct thud_state *state, void **own,
                                struct thud_error *err);
     /* Proposes the next segment (src/core/contact/segment.h) from the state; the run locates events in it and commits.

@@ -38,10 +38,7 @@ struct dormand_prince {
 static void release(void *own)
 {
     struct dormand_prince *x = own;
-    if (!x)
-        return;
     free(x->rk);
-    free(x->error.q);
     free(x);
 }
 
@@ -49,26 +46,24 @@ static enum thud_status create(const struct thud_method *method, const struct th
                                struct thud_error *err)
 {
     const struct thud_model *m = state->model;
-    void *rk;
-    struct dormand_prince *x = *own = calloc(1, sizeof *x);
-    if (!x ||
-        THUD_LAY(err, THUD_MOTION_PIECES(x->error, m), THUD_PIECE(x->scale_mps2, m->nstructures),
-                 THUD_PIECE(x->scale_n, m->nrows)) != THUD_OK ||
-        thud_rk_create(method, state, &rk, err) != THUD_OK) {
-        release(x);
-        *own = NULL;
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
+    void *rk = NULL;
+    struct dormand_prince *x, to = {.h = thud_state_default_step(state)};
+    enum thud_status status = THUD_LAY(err, THUD_PIECE(x, 1), THUD_MOTION_PIECES(to.error, m),
+                                       THUD_PIECE(to.scale_mps2, m->nstructures), THUD_PIECE(to.scale_n, m->nrows));
+    *own = x;
+    if (status != THUD_OK)
+        return status;
+    *x = to;
+    status = thud_rk_create(method, state, &rk, err);
     x->rk = rk;
     for (int s = 0; s < m->nstructures; s++)
         x->scale_mps2[s] = state->ground_mps2;
     double mass = 0;
     for (int j = 0; j < m->nmodes; j++)
         mass += m->gamma[j] * m->gamma[j];
-    x->h = thud_state_default_step(state);
     x->speed = sqrt(mass) * thud_record_speed(state->record) +
                sqrt(2 * (thud_state_kinetic(state) + thud_state_strain(state)));
-    return THUD_OK;
+    return status;
 }
 
 /* The largest total acceleration of a structure's floors at a motion. */
