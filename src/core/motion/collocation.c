@@ -89,7 +89,6 @@ struct thud_collocation {
     double *residual, *matrix;    /* (unknowns); square */
     double *scale;                /* (nactive) 1 over that on which a change of the force counts */
     lapack_int *pivot;
-    void *block; /* of all of these */
 };
 
 /* How far the force polynomials of a step are from the laws. */
@@ -284,32 +283,25 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
                                          struct thud_error *err)
 {
     const struct thud_model *m = state->model;
-    struct thud_collocation *x = *out = calloc(1, sizeof *x);
-    if (!x)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    x->nc = m->nrows;
+    struct thud_collocation *x, to = {.nc = m->nrows, .contraction = slowest_contraction};
     /* an interval of the ground motion, or a part of one that a series is enough for */
-    x->h = x->h_top =
+    to.h = to.h_top =
         state->grid_dt_s / ceil(thud_larger(1, state->fastest_radps * state->grid_dt_s / THUD_SEGMENT_ANGLE));
-    x->contraction = slowest_contraction;
-    size_t nc = (size_t)m->nrows;
-    x->step.coefficient = calloc(ROW * nc + 1, sizeof(double));
-    x->step.of = calloc(nc + 1, sizeof *x->step.of);
-    x->active = calloc(2 * nc + 1, sizeof(int));
-    x->at = x->active + nc;
-    x->largest_n = calloc(nc + 1, sizeof *x->largest_n);
+    enum thud_status status = THUD_LAY(err, THUD_PIECE(x, 1), THUD_PIECE(to.step.coefficient, ROW * m->nrows),
+                                       THUD_PIECE(to.step.of, m->nrows), THUD_PIECE(to.active, m->nrows),
+                                       THUD_PIECE(to.at, m->nrows), THUD_PIECE(to.largest_n, m->nrows));
+    *out = x;
+    if (status != THUD_OK)
+        return status;
+    *x = to;
     x->by = &x->few;
-    if (!x->step.coefficient || !x->step.of || !x->active || !x->largest_n ||
-        set_points(state, x, state->tolerance >= least_of_four ? 4 : 5, &x->few, err) != THUD_OK ||
-        set_points(state, x, NODES_MAX, &x->many, err) != THUD_OK) {
-        thud_collocation_free(x);
-        *out = NULL;
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
+    status = set_points(state, x, state->tolerance >= least_of_four ? 4 : 5, &x->few, err);
+    if (status == THUD_OK)
+        status = set_points(state, x, NODES_MAX, &x->many, err);
     for (int k = 0; k < m->nstoreys; k++)
         x->largest_n[m->ncontacts + k] =
             (1 - m->storey[k].hardening) * m->storey[k].stiffness_npm * m->storey[k].yield_m;
-    return THUD_OK;
+    return status;
 }
 
 void thud_collocation_free(struct thud_collocation *x)
@@ -318,11 +310,7 @@ void thud_collocation_free(struct thud_collocation *x)
         return;
     thud_responses_free(x->few.responses);
     thud_responses_free(x->many.responses);
-    free(x->step.coefficient);
-    free(x->step.of);
-    free(x->active);
-    free(x->largest_n);
-    free(x->block);
+    free(x->free);
     free(x);
 }
 
@@ -360,29 +348,14 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    const size_t contacts = (size_t)n, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX,
-                 forces = contacts * NODES_MAX + 1;
-    struct thud_arena arena;
-    if (!thud_arena_open(&arena, 2 * thud_arena_room(motions, sizeof *x->motion) +
-                                     thud_arena_room(forces + unknowns + contacts, sizeof(double)) +
-                                     thud_arena_room(unknowns * unknowns, sizeof(double)) +
-                                     thud_arena_room(contacts * contacts, sizeof *x->response) +
-                                     thud_arena_room(unknowns, sizeof *x->pivot) +
-                                     thud_arena_room(contacts, sizeof *x->begins)))
-        return false;
-    free(x->block);
-    x->block = arena.next;
-    x->free = thud_arena_take(&arena, motions, sizeof *x->free);
-    x->motion = thud_arena_take(&arena, motions, sizeof *x->motion);
-    x->force = thud_arena_take(&arena, forces + unknowns + contacts, sizeof(double));
-    x->residual = x->force + forces;
-    x->scale = x->residual + unknowns;
-    x->matrix = thud_arena_take(&arena, unknowns * unknowns, sizeof(double));
-    x->response = thud_arena_take(&arena, contacts * contacts, sizeof *x->response);
-    x->pivot = thud_arena_take(&arena, unknowns, sizeof *x->pivot);
-    x->begins = thud_arena_take(&arena, contacts, sizeof *x->begins);
+    const size_t contacts = (size_t)n, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX;
+    free(x->free);
     x->capacity = n;
-    return true;
+    return THUD_LAY(NULL, THUD_PIECE(x->free, motions), THUD_PIECE(x->motion, motions),
+                    THUD_PIECE(x->force, contacts * NODES_MAX + 1), THUD_PIECE(x->residual, unknowns),
+                    THUD_PIECE(x->scale, contacts), THUD_PIECE(x->matrix, unknowns * unknowns),
+                    THUD_PIECE(x->response, contacts * contacts), THUD_PIECE(x->pivot, unknowns),
+                    THUD_PIECE(x->begins, contacts)) == THUD_OK;
 }
 
 /* The forces at the start: as they are, or where the polynomials through the other nodes come to. */

@@ -12,6 +12,7 @@
 
 struct thud_collocation;
 
+/* Errors: THUD_MEMORY; what *out has is to be freed then, too. */
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err);
 void thud_collocation_free(struct thud_collocation *collocation);

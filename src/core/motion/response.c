@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "core/contact/segment.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
@@ -69,29 +70,23 @@ enum thud_status thud_responses_create(const struct thud_model *m, int n, int po
                                        const double *lagrange, double h_top, struct thud_responses **out,
                                        struct thud_error *err)
 {
-    const size_t modes = (size_t)m->nmodes, size = modes * (size_t)points;
-    struct thud_responses *x = *out = calloc(1, sizeof *x);
-    if (x) {
-        *x = (struct thud_responses){
-            .model = m, .n = n, .points = points, .loads = m->couples ? m->nrows : 1, .h_top = h_top};
-        memcpy(x->lagrange, lagrange, (size_t)(n * n) * sizeof *lagrange);
-        memcpy(x->point, point, (size_t)points * sizeof *point);
-        x->at_start = calloc(4 * modes + 1, sizeof *x->at_start);
-        x->unforced = calloc(size + 1, sizeof *x->unforced);
-        x->weight = calloc((size_t)((n + 1) * points * THUD_SEGMENT_TERMS), sizeof *x->weight);
-    }
-    if (!x || !x->at_start || !x->unforced || !x->weight || thud_segment_init(&x->seg, m, err) != THUD_OK) {
-        thud_responses_free(x);
-        *out = NULL;
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    x->rise = x->at_start + modes;
-    x->zero = x->rise + modes;
-    x->ones = x->zero + modes;
+    const size_t modes = (size_t)m->nmodes;
+    struct thud_responses *x,
+        to = {.model = m, .n = n, .points = points, .loads = m->couples ? m->nrows : 1, .h_top = h_top};
+    const enum thud_status status = THUD_LAY(
+        err, THUD_PIECE(x, 1), THUD_PIECE(to.at_start, modes), THUD_PIECE(to.rise, modes), THUD_PIECE(to.zero, modes),
+        THUD_PIECE(to.ones, modes), THUD_PIECE(to.unforced, modes * (size_t)points),
+        THUD_PIECE(to.weight, (n + 1) * points * THUD_SEGMENT_TERMS));
+    *out = x;
+    if (status != THUD_OK)
+        return status;
+    *x = to;
+    memcpy(x->lagrange, lagrange, (size_t)(n * n) * sizeof *lagrange);
+    memcpy(x->point, point, (size_t)points * sizeof *point);
     for (size_t j = 0; j < modes; j++)
         x->ones[j] = 1;
     fill_weights(x);
-    return THUD_OK;
+    return thud_segment_init(&x->seg, m, err);
 }
 
 void thud_responses_free(struct thud_responses *x)
@@ -102,14 +97,10 @@ void thud_responses_free(struct thud_responses *x)
         struct level *level = &x->level[l];
         for (int p = 0; level->pair && p < x->model->nrows * x->model->nrows; p++)
             free(level->pair[p]);
-        free(level->pair);
         for (int load = 0; level->load && load < x->loads; load++)
             free(level->load[load].series);
-        free(level->load);
+        free(level->pair);
     }
-    free(x->at_start);
-    free(x->unforced);
-    free(x->weight);
     thud_segment_clear(&x->seg);
     free(x);
 }
@@ -205,13 +196,9 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
     const struct thud_model *m = x->model;
     const size_t rows = (size_t)m->nrows;
     const double h = ldexp(x->h_top, -at);
-    bool made = level->pair;
+    bool made =
+        level->pair || THUD_LAY(NULL, THUD_PIECE(level->pair, rows * rows), THUD_PIECE(level->load, rows)) == THUD_OK;
     level->terms = thud_segment_terms(m->fastest_radps * h, THUD_TOL_SERIES);
-    if (!made) {
-        level->pair = calloc(rows * rows + 1, sizeof *level->pair);
-        level->load = calloc(rows + 1, sizeof *level->load);
-        made = level->pair && level->load;
-    }
     for (int b = 0; b < n && made; b++) {
         struct load *load = load_of(x, level, contact[b]);
         made = load->series ||

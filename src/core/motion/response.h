@@ -11,7 +11,7 @@ struct thud_responses;
 enum { THUD_NODES_MAX = 7, THUD_POINTS_MAX = THUD_NODES_MAX + 2 };
 
 /* point (points); lagrange (n x n): coefficients of the polynomials through the nodes. Steps: h_top / 2^level. Errors:
- * THUD_MEMORY. */
+ * THUD_MEMORY; what *out has is to be freed then, too. */
 enum thud_status thud_responses_create(const struct thud_model *model, int n, int points, const double *point,
                                        const double *lagrange, double h_top, struct thud_responses **out,
                                        struct thud_error *err);
