@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/largest.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
@@ -13,22 +14,24 @@ enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 24, ENDS = THUD_FREE_VIBRATION_E
 /* Longest part of the interval that the series are made of, by the fastest rate in it: each doubling adds rounding. */
 static const double longest_rad = 2;
 
-/* out (rows x columns) += scale a b, where a is (rows x inner), or (inner x rows) if turned. */
+/* out (rows x columns, an even number) += scale a b, where a is (rows x inner), or (inner x rows) if turned. */
 static void add_product(int rows, int inner, int columns, double scale, const double *a, bool turned, const double *b,
                         double *out)
 {
     for (int i = 0; i < rows; i++)
         for (int k = 0; k < inner; k++) {
             double x = scale * (turned ? a[k * rows + i] : a[i * inner + k]);
-            for (int j = 0; j < columns && x != 0; j++)
-                out[i * columns + j] += x * b[k * columns + j];
+            for (int j = 0; j < columns && x != 0; j += 2)
+                thud_vec2_put(thud_vec2_at(out + i * columns + j) + x * thud_vec2_at(b + k * columns + j),
+                              out + i * columns + j);
         }
 }
 
+/* out (n, an even number) += factor x. */
 static void add(int n, double factor, const double *x, double *out)
 {
-    for (int i = 0; i < n; i++)
-        out[i] += factor * x[i];
+    for (int i = 0; i < n; i += 2)
+        thud_vec2_put(thud_vec2_at(out + i) + factor * thud_vec2_at(x + i), out + i);
 }
 
 /* What is made of one part of the interval, and doubled. */
@@ -39,7 +42,6 @@ struct part {
     double *flow;    /* (size x size) */
     double *rates;   /* (POINTS x n x size) q' at the quadrature points, by the x at the start */
     double *temp;    /* (2 x size x size) */
-    double *block;
 };
 
 static bool dashpot_acts(const struct thud_model *m, int link, int system)
@@ -48,29 +50,19 @@ static bool dashpot_acts(const struct thud_model *m, int link, int system)
     return p->contact < 0 && p->damping_nspm != 0 && m->structure[p->structure].system == system;
 }
 
-static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, struct thud_error *err)
+static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, int links, struct thud_error *err)
 {
-    const size_t n = (size_t)c->n, size = (size_t)c->size;
-    c->block = calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 2 * size, sizeof *c->block);
-    part->block = calloc(n * n + 4 * size * size + POINTS * n * size, sizeof *part->block);
-    if (!c->link || !c->block || !part->block) {
-        free(part->block);
-        thud_coupled_motion_clear(c);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    c->step = c->block;
-    c->loss = c->step + 2 * n * size;
-    c->now = c->loss + (size_t)(1 + c->links) * size * size;
-    c->input = c->now + 2 * size;
-    c->product = c->input + size * size;
+    const size_t n = (size_t)c->n, size = (size_t)c->size, all = size * size;
+    enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(c->step, 2 * n * size), THUD_PIECE(c->loss, (size_t)(1 + links) * all),
+                 THUD_PIECE(c->now, 2 * size), THUD_PIECE(c->input, all), THUD_PIECE(c->product, all),
+                 THUD_PIECE(c->link, links));
+    if (status != THUD_OK)
+        return status;
     c->work[0] = c->input + 2 * n * size;
     c->work[1] = c->work[0] + size;
-    part->flow = part->block;
-    part->rate = part->flow + size * size;
-    part->temp = part->rate + size * size;
-    part->rates = part->temp + 2 * size * size;
-    part->damping = part->rates + POINTS * n * size;
-    return THUD_OK;
+    return THUD_LAY(err, THUD_PIECE(part->flow, all), THUD_PIECE(part->rate, all), THUD_PIECE(part->temp, 2 * all),
+                    THUD_PIECE(part->rates, POINTS * n * size), THUD_PIECE(part->damping, n * n));
 }
 
 /* D and A. */
@@ -185,13 +177,15 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
         motion->soft = m->jacobian + (m->ncontacts + storey) * m->nmodes + p->first_mode;
         motion->soft_npm = (m->storey[storey].hardening - 1) * m->storey[storey].stiffness_npm;
     }
-    motion->link = calloc((size_t)m->nlinks + 1, sizeof *motion->link);
-    for (int i = 0; motion->link && mode < 0 && i < m->nlinks; i++)
-        if (dashpot_acts(m, i, system))
-            motion->link[motion->links++] = i;
-    enum thud_status status = allocate(motion, &part, err);
+    int links = 0;
+    for (int i = 0; mode < 0 && i < m->nlinks; i++)
+        links += dashpot_acts(m, i, system);
+    enum thud_status status = allocate(motion, &part, links, err);
     if (status != THUD_OK)
         return status;
+    for (int i = 0; motion->links < links; i++)
+        if (dashpot_acts(m, i, system))
+            motion->link[motion->links++] = i;
     int doublings = 0;
     const double rate = mode < 0 ? state->fastest_radps : thud_larger(m->omega[mode], m->dashpot[mode]);
     while (ldexp(rate * part.dt_s, -doublings) > longest_rad)
@@ -209,14 +203,13 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
     for (int l = 0; l <= motion->links; l++)
         finish_form(n, motion->loss + l * motion->size * motion->size);
     finish_form(n, motion->input);
-    free(part.block);
+    free(part.flow);
     return THUD_OK;
 }
 
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion)
 {
-    free(motion->block);
-    free(motion->link);
+    free(motion->step);
     *motion = (struct thud_coupled_motion){0};
 }
 

@@ -35,11 +35,10 @@ struct thud_coupled_motion {
     double *work[2];    /* (size) W_a, W_b: the last rows of input */
     double *now;        /* (2 x size) */
     double *product;    /* (size x size) upper part of the sums of x x^T over the intervals of a block */
-    double *block;
 };
 
 /* Of the structures of one system; mode: -1, or this one of its modes alone; storey: -1, or one that yields. Errors:
- * THUD_MEMORY; nothing stays allocated then. */
+ * THUD_MEMORY; to be cleared then, too. */
 enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
                                           int system, int mode, int storey, struct thud_error *err);
 void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
