@@ -9,56 +9,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "core/numerics/tolerance.h"
 
 /* PIECES_MOST: of a block of more than one interval, so that a slice of work ends soon where modes are very fast. */
-enum { SHORT_BLOCK = 16, PIECES_MOST = 16384, BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
+enum { SHORT_BLOCK = 16, PIECES_MOST = 16384, BATCH = THUD_FREE_VIBRATION_BATCH };
 
 /* Interval times the fastest rate of damping that couples modes: above, power series alone are as fast. */
 static const double coupled_most_rad = 1e3;
 
-static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
+/* The tables stand one after the other behind the first. */
+static void place_tables(struct thud_free_vibration_tables *to, size_t rows)
 {
-    size_t n = (size_t)m->nmodes, floors = (size_t)m->ndof, ns = (size_t)m->nstructures,
-           rows = (n + THUD_FREE_VIBRATION_BATCH - 1) / THUD_FREE_VIBRATION_BATCH * THUD_FREE_VIBRATION_BATCH,
-           count = 0;
-    double **by_mode[4 + 4 + 4 + THUD_FREE_VIBRATION_PRODUCTS + 4];
-    double **by_end[] = {&f->q, &f->qd, &f->acceleration, &f->work[0], &f->work[1], &f->work[2], &f->moved},
-           **single[] = {&f->gap, &f->ground, &f->after};
-    size_t ends = m->couples ? 7 : 3, singles = sizeof single / sizeof *single;
-    for (int i = 0; i < 4; i++) {
-        by_mode[count++] = &f->tables.e[i];
-        by_mode[count++] = &f->tables.p[i];
-        by_mode[count++] = &f->tables.work[i];
+    double *next = to->e[0];
+    for (int i = 0; i < 4; i++, next += 3 * rows) {
+        to->e[i] = next;
+        to->p[i] = next + rows;
+        to->work[i] = next + 2 * rows;
     }
-    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++)
-        by_mode[count++] = &f->tables.viscous[i];
-    by_mode[count++] = &f->series.now; /* behind the tables */
-    by_mode[count++] = &f->series.now_rate;
-    by_mode[count++] = &f->speed;
-    by_mode[count++] = &f->shift;
-    double *next = f->block =
-        calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
-                   THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + BOUNDS * ns,
-               sizeof *next);
-    f->valued = calloc(THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
-    f->series.has = calloc(ns + 1, sizeof *f->series.has);
-    f->coupled = calloc(ns + (size_t)m->nstoreys + 1, sizeof *f->coupled);
-    if (!next || !f->valued || !f->series.has || !f->coupled)
-        return false;
-    for (size_t i = 0; i < count; i++, next += rows)
-        *by_mode[i] = next;
-    for (size_t i = 0; i < ends; i++, next += rows * (size_t)ENDS)
-        *by_end[i] = next;
-    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++, next += floors * (size_t)ENDS)
-        f->value[x] = next;
-    for (size_t i = 0; i < singles; i++, next += ENDS)
-        *single[i] = next;
-    f->margin = next;
-    f->limit = f->margin + THUD_FLOOR_QUANTITIES * ns;
-    f->bound = f->limit + m->ncontacts;
-    f->near = f->valued + THUD_FLOOR_QUANTITIES * ns;
-    return true;
+    for (int i = 0; i < THUD_FREE_VIBRATION_PRODUCTS; i++, next += rows)
+        to->viscous[i] = next;
 }
 
 static bool suits(const struct thud_state *state)
@@ -74,26 +44,36 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
     *out = NULL;
     if (!suits(state))
         return THUD_OK;
-    struct thud_free_vibration *f = calloc(1, sizeof *f);
-    enum thud_status status = f && allocate(f, m) ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (status == THUD_OK)
-        status = thud_segment_init(&f->series.seg, m, err);
-    if (status == THUD_OK) {
-        f->model = m;
-        f->n = m->nmodes;
-        f->dt_s = state->grid_dt_s;
-        f->pieces = 1 + (int)(state->fastest_radps * f->dt_s / THUD_SEGMENT_ANGLE);
-        f->size = THUD_FREE_VIBRATION_BLOCK;
-        f->nsystems = m->nsystems;
-        if (!like || !thud_free_vibration_copy_tables(f, like))
-            status = thud_free_vibration_make_tables(state, f, err);
-    }
-    if (status != THUD_OK) {
-        thud_free_vibration_free(f);
-        return status;
-    }
+    const size_t ns = (size_t)m->nstructures, floors = (size_t)(m->ndof * ENDS),
+                 rows = (size_t)((m->nmodes + BATCH - 1) / BATCH * BATCH), ends = rows * ENDS,
+                 coupled = m->couples ? ends : 0;
+    struct thud_free_vibration *f,
+        to = {.model = m,
+              .n = m->nmodes,
+              .nsystems = m->nsystems,
+              .dt_s = state->grid_dt_s,
+              .size = THUD_FREE_VIBRATION_BLOCK,
+              .pieces = 1 + (int)(state->fastest_radps * state->grid_dt_s / THUD_SEGMENT_ANGLE)};
+    enum thud_status status = THUD_LAY(
+        err, THUD_PIECE(f, 1), THUD_PIECE(to.tables.e[0], (3 * 4 + THUD_FREE_VIBRATION_PRODUCTS) * rows),
+        THUD_PIECE(to.series.now, rows), THUD_PIECE(to.series.now_rate, rows), THUD_PIECE(to.speed, rows),
+        THUD_PIECE(to.shift, rows), THUD_PIECE(to.q, ends), THUD_PIECE(to.qd, ends), THUD_PIECE(to.acceleration, ends),
+        THUD_PIECE(to.work[0], coupled), THUD_PIECE(to.work[1], coupled), THUD_PIECE(to.work[2], coupled),
+        THUD_PIECE(to.moved, coupled), THUD_PIECE(to.value[0], floors), THUD_PIECE(to.value[1], floors),
+        THUD_PIECE(to.value[2], floors), THUD_PIECE(to.value[3], floors), THUD_PIECE(to.gap, ENDS),
+        THUD_PIECE(to.ground, ENDS), THUD_PIECE(to.after, ENDS), THUD_PIECE(to.margin, THUD_FLOOR_QUANTITIES * ns),
+        THUD_PIECE(to.limit, m->ncontacts), THUD_PIECE(to.bound, THUD_FREE_VIBRATION_BOUNDS * ns),
+        THUD_PIECE(to.valued, THUD_FLOOR_QUANTITIES * ns), THUD_PIECE(to.near, m->ncontacts),
+        THUD_PIECE(to.series.has, ns), THUD_PIECE(to.coupled, m->nsystems + m->nstoreys));
     *out = f;
-    return THUD_OK;
+    if (status != THUD_OK)
+        return status;
+    place_tables(&to.tables, rows);
+    *f = to;
+    status = thud_segment_init(&f->series.seg, m, err);
+    if (status == THUD_OK && (!like || !thud_free_vibration_copy_tables(f, like)))
+        status = thud_free_vibration_make_tables(state, f, err);
+    return status;
 }
 
 void thud_free_vibration_free(struct thud_free_vibration *f)
@@ -101,12 +81,8 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     if (!f)
         return;
     thud_segment_clear(&f->series.seg);
-    for (int i = 0; f->coupled && f->model && i < f->nsystems + f->model->nstoreys; i++)
+    for (int i = 0; i < f->nsystems + f->model->nstoreys; i++)
         thud_coupled_motion_clear(&f->coupled[i]);
-    free(f->coupled);
-    free(f->valued);
-    free(f->series.has);
-    free(f->block);
     free(f);
 }
 

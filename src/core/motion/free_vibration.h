@@ -70,11 +70,11 @@ struct thud_free_vibration {
     int certain;    /* interval of the block in which an event lies, whatever block it is in: by its end; -1: none */
     int size;       /* intervals to try next; 0: in the next one an event is certain */
     long made;      /* series so far: what the work is measured by */
-    double *block;
 };
 
 /* *out stays NULL for a model that it is not for. The tables are those of `like` (may be NULL), whose model must still
- * be there, where it has the same modes and intervals. Errors: THUD_MEMORY. */
+ * be there, where it has the same modes and intervals. Errors: THUD_MEMORY; what *out has is to be freed then,
+ * too. */
 enum thud_status thud_free_vibration_create(const struct thud_state *state, const struct thud_free_vibration *like,
                                             struct thud_free_vibration **out, struct thud_error *err);
 void thud_free_vibration_free(struct thud_free_vibration *f);

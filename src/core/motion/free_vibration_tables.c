@@ -80,7 +80,8 @@ bool thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct
     if (m->couples || l->couples || like->n != f->n || like->dt_s != f->dt_s || !same(l->omega, m->omega, f->n) ||
         !same(l->zeta, m->zeta, f->n) || !same(l->gamma, m->gamma, f->n))
         return false;
-    memcpy(f->block, like->block, (size_t)(f->series.now - f->block) * sizeof *f->block);
+    const double *end = f->tables.viscous[THUD_FREE_VIBRATION_PRODUCTS - 1] + f->n;
+    memcpy(f->tables.e[0], like->tables.e[0], (size_t)(end - f->tables.e[0]) * sizeof *end);
     memcpy(f->tables.ground, like->tables.ground, sizeof f->tables.ground);
     return true;
 }
