@@ -86,11 +86,10 @@ struct tie {
     double *row;    /* (modes) */
     double *work;
     int work_size;
-    double *block;
 };
 
 /* The work space of a system, all of it 0. LAPACK's dsyev asks for 3 n - 1 doubles and is quickest with 34 n. */
-static bool prepare(struct tie *t, const struct thud_model *m, int system)
+static enum thud_status prepare(struct tie *t, const struct thud_model *m, int system, struct thud_error *err)
 {
     *t = (struct tie){.first = m->system[system]};
     t->first_mode = m->structure[t->first].first_mode;
@@ -100,16 +99,8 @@ static bool prepare(struct tie *t, const struct thud_model *m, int system)
     }
     const size_t n = (size_t)t->modes;
     t->work_size = 34 * t->modes;
-    t->block = calloc(3 * n * n + 2 * n + (size_t)t->work_size + 1, sizeof *t->block);
-    if (!t->block)
-        return false;
-    t->stiffness = t->block;
-    t->damping = t->stiffness + n * n;
-    t->temp = t->damping + n * n;
-    t->square = t->temp + n * n;
-    t->row = t->square + n;
-    t->work = t->row + n;
-    return true;
+    return THUD_LAY(err, THUD_PIECE(t->stiffness, n * n), THUD_PIECE(t->damping, n * n), THUD_PIECE(t->temp, n * n),
+                    THUD_PIECE(t->square, n), THUD_PIECE(t->row, n), THUD_PIECE(t->work, t->work_size));
 }
 
 /* Omega^2 and D of the structures by themselves, which are blocks along the diagonal. */
@@ -210,14 +201,15 @@ enum thud_status thud_tie_system(struct thud_model *m, struct thud_arena *arena,
                                  int system, struct thud_error *err)
 {
     struct tie t;
-    if (!prepare(&t, m, system))
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    const enum thud_status status = prepare(&t, m, system, err);
+    if (status != THUD_OK)
+        return status;
     const size_t n = (size_t)t.modes;
     fill_own(&t, m);
     add_links(&t, m, in);
     if (LAPACKE_dsyev_work(LAPACK_COL_MAJOR, 'V', 'U', t.modes, t.stiffness, t.modes, t.square, t.work, t.work_size) !=
         0) {
-        free(t.block);
+        free(t.stiffness);
         return thud_error_refuse(err, THUD_INPUT, "links", "less stiff links",
                                  "the modes of linked structures were not found");
     }
@@ -230,6 +222,6 @@ enum thud_status thud_tie_system(struct thud_model *m, struct thud_arena *arena,
     turn_shapes(&t, m, phi);
     hand_out(&t, m, phi, thud_largest_size(damping, (int)(n * n)) > 0 ? damping : NULL);
     fill_modes(&t, m);
-    free(t.block);
+    free(t.stiffness);
     return THUD_OK;
 }
