@@ -28,7 +28,16 @@ struct thud_piece {
         &(pointer), (size_t)(count), sizeof *(pointer)                                                                 \
     }
 
-/* Allocates the pieces, up to one without a pointer, as one block, all 0, and sets their pointers. The block begins with
- * the first piece: free of that pointer frees all. Errors: THUD_MEMORY, and the pointers are NULL. */
-enum thud_status thud_arena_lay(const struct thud_piece *piece, struct thud_error *err);
-#define THUD_LAY(err, ...) thud_arena_lay((const struct thud_piece[]){__VA_ARGS__, {NULL, 0, 0}}, err)
+/* Blocks that one owner frees together. */
+struct thud_blocks {
+    void **last; /* each begins with the one before it; NULL: none */
+};
+void thud_blocks_free(struct thud_blocks *blocks);
+
+/* Allocates the pieces, up to one without a pointer, as one block, all 0, and sets their pointers. It becomes one of the
+ * blocks; or where these are NULL it begins with the first piece, and free of that pointer frees all. Errors: THUD_MEMORY,
+ * and the pointers are NULL. */
+enum thud_status thud_arena_lay(struct thud_blocks *blocks, const struct thud_piece *piece, struct thud_error *err);
+#define THUD_LAY_IN(blocks, err, ...)                                                                                  \
+    thud_arena_lay(blocks, (const struct thud_piece[]){__VA_ARGS__, {NULL, 0, 0}}, err)
+#define THUD_LAY(err, ...) THUD_LAY_IN(NULL, err, __VA_ARGS__)

@@ -48,13 +48,27 @@ void *thud_arena_take(struct thud_arena *arena, size_t count, size_t size)
     return piece;
 }
 
-enum thud_status thud_arena_lay(const struct thud_piece *piece, struct thud_error *err)
+void thud_blocks_free(struct thud_blocks *blocks)
+{
+    for (void **block = blocks->last, **before; block; block = before) {
+        before = *block;
+        free(block);
+    }
+    blocks->last = NULL;
+}
+
+enum thud_status thud_arena_lay(struct thud_blocks *blocks, const struct thud_piece *piece, struct thud_error *err)
 {
     struct thud_arena arena;
-    size_t bytes = 0;
+    size_t bytes = blocks ? thud_arena_room(1, sizeof *blocks->last) : 0;
     for (const struct thud_piece *p = piece; p->pointer; p++)
         bytes += thud_arena_room(p->count, p->size);
     const bool opened = thud_arena_open(&arena, bytes);
+    if (opened && blocks) {
+        void **block = thud_arena_take(&arena, 1, sizeof *block);
+        *block = blocks->last;
+        blocks->last = block;
+    }
     for (; piece->pointer; piece++) {
         const void *at = opened ? thud_arena_take(&arena, piece->count, piece->size) : NULL;
         memcpy(piece->pointer, &at, sizeof at); /* all pointers to objects look alike */

@@ -235,6 +235,16 @@ START_TEST(pieces_of_a_block)
     for (int i = 0; i < 5; i++)
         ck_assert(last[i] == 0 && (i >= 3 || first[i] == 0));
     free(first);
+    struct thud_blocks blocks = {NULL};
+    for (int i = 0; i < 3; i++) {
+        ck_assert_int_eq(THUD_LAY_IN(&blocks, NULL, THUD_PIECE(first, 3), THUD_PIECE(last, 5)), THUD_OK);
+        ck_assert_uint_eq((uintptr_t)first % 16, 0);
+        ck_assert((void *)first > (void *)blocks.last && first[0] == 0 && last[4] == 0);
+        first[0] = last[4] = 7;
+    }
+    thud_blocks_free(&blocks);
+    ck_assert_ptr_null(blocks.last);
+    thud_blocks_free(&blocks);
 }
 END_TEST
 

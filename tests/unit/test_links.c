@@ -376,10 +376,8 @@ static struct march way(const struct thud_model *model, const struct thud_record
     m.status = thud_run_create(model, record, &options, &m.run, &m.err);
     ck_assert_int_eq(m.status, THUD_OK);
     ck_assert_ptr_nonnull(m.run->free_vibration);
-    if (!blocks) {
-        thud_free_vibration_free(m.run->free_vibration);
+    if (!blocks)
         m.run->free_vibration = NULL;
-    }
     while (m.status == THUD_OK && !done)
         m.status = thud_run_advance(m.run, 1000, &done, &m.err);
     ck_assert_int_eq(m.status, THUD_OK);

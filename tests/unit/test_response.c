@@ -48,7 +48,7 @@ static void set_up(struct fixture *f, bool isolated)
     for (int i = NODES; i < POINTS; i++)
         f->point[i] = 0.17 * (i - NODES + 1);
     thud_lagrange_coefficients(NODES, f->point, lagrange);
-    ck_assert_int_eq(thud_responses_create(f->model, NODES, POINTS, f->point, lagrange, f->h_top, &f->responses, NULL),
+    ck_assert_int_eq(thud_responses_create(state, NODES, POINTS, f->point, lagrange, f->h_top, &f->responses, NULL),
                      THUD_OK);
     f->n = f->model->ncontacts;
     for (int c = 0; c < f->n; c++)
@@ -57,7 +57,6 @@ static void set_up(struct fixture *f, bool isolated)
 
 static void tear_down(struct fixture *f)
 {
-    thud_responses_free(f->responses);
     march_free(&f->m);
     thud_model_free(f->model);
     thud_record_free(f->record);

@@ -20,7 +20,7 @@ struct thud_method;
 
 /* How methods of one family step. */
 struct thud_stepper {
-    /* Creates the method's own memory (may stay NULL). Errors: THUD_MEMORY; what *own has is to be freed then, too. */
+    /* Creates the method's own memory (may stay NULL) as part of state->memory. Errors: THUD_MEMORY. */
     enum thud_status (*create)(const struct thud_method *method, const struct thud_state *state, void **own,
                                struct thud_error *err);
     /* Proposes the next segment (src/core/contact/segment.h) from the state; the run locates events in it and commits.
@@ -30,7 +30,6 @@ struct thud_stepper {
     /* Called after a commit up to tau into the segment; `switched`: a contact changed its state. May be NULL. */
     void (*committed)(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                       bool switched);
-    void (*free)(void *own);
 };
 
 struct thud_method {

@@ -9,12 +9,13 @@
 #include "base/grow.h"
 #include "core/contact/storey.h"
 
-enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
-                                       bool keep_impacts, struct thud_error *err)
+enum thud_status thud_contact_log_init(struct thud_contact_log *log, const struct thud_state *state,
+                                       struct thud_contact_result *contact, bool keep_impacts, struct thud_error *err)
 {
+    const int ncontacts = state->model->ncontacts;
     *log = (struct thud_contact_log){.contact = contact, .keep_impacts = keep_impacts};
-    return THUD_LAY(err, THUD_PIECE(log->now, ncontacts), THUD_PIECE(log->counted, ncontacts),
-                    THUD_PIECE(log->waiting_s, ncontacts));
+    return THUD_LAY_IN(state->memory, err, THUD_PIECE(log->now, ncontacts), THUD_PIECE(log->counted, ncontacts),
+                       THUD_PIECE(log->waiting_s, ncontacts));
 }
 
 void thud_contact_log_begin(struct thud_contact_log *log, int contact, double time_s, double approach_mps)
@@ -86,6 +87,4 @@ void thud_contact_log_clear(struct thud_contact_log *log)
 {
     free(log->impact);
     free(log->event);
-    free(log->now);
-    *log = (struct thud_contact_log){0};
 }

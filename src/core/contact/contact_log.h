@@ -21,8 +21,8 @@ struct thud_contact_log {
 };
 
 /* Errors: THUD_MEMORY. */
-enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
-                                       bool keep_impacts, struct thud_error *err);
+enum thud_status thud_contact_log_init(struct thud_contact_log *log, const struct thud_state *state,
+                                       struct thud_contact_result *contact, bool keep_impacts, struct thud_error *err);
 /* An impact begins. */
 void thud_contact_log_begin(struct thud_contact_log *log, int contact, double time_s, double approach_mps);
 /* Adds an impact that is over, where impacts are kept. Errors: THUD_MEMORY. */

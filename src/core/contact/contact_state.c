@@ -3,7 +3,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -13,17 +12,22 @@
 
 /* The workspace of impulses is made where a law has impulses: it is as large as the square of the contacts. */
 enum thud_status thud_state_init(struct thud_state *state, const struct thud_model *model,
-                                 const struct thud_record *record, struct thud_work *work, struct thud_error *err)
+                                 const struct thud_record *record, struct thud_work *work, struct thud_blocks *memory,
+                                 struct thud_error *err)
 {
     size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows;
-    *state = (struct thud_state){
-        .model = model, .record = record, .work = work, .fastest_radps = model->fastest_radps, .step_cap_s = INFINITY};
+    *state = (struct thud_state){.model = model,
+                                 .record = record,
+                                 .work = work,
+                                 .memory = memory,
+                                 .fastest_radps = model->fastest_radps,
+                                 .step_cap_s = INFINITY};
     bool impulsive = false;
     for (int c = 0; c < model->ncontacts; c++)
         impulsive |= (model->contact[c].law->flags & THUD_LAW_IMPULSIVE) != 0;
     const size_t work_size = nc * nc + thud_lcp_work((int)nc);
-    const enum thud_status status = THUD_LAY(
-        err, THUD_PIECE(state->q, n), THUD_PIECE(state->qd, n), THUD_PIECE(state->free_mps2, n + nc),
+    const enum thud_status status = THUD_LAY_IN(
+        memory, err, THUD_PIECE(state->q, n), THUD_PIECE(state->qd, n), THUD_PIECE(state->free_mps2, n + nc),
         THUD_PIECE(state->force_now, nc), THUD_PIECE(state->delassus, work_size),
         THUD_PIECE(state->collide, impulsive ? 4 * nc + work_size : 0), THUD_PIECE(state->contact, model->ncontacts),
         THUD_PIECE(state->storey, model->nstoreys), THUD_PIECE(state->set_now, 2 * nc), THUD_PIECE(state->powers, 1));
@@ -32,12 +36,6 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
     memcpy(state->q, model->q0, n * sizeof *state->q);
     memcpy(state->qd, model->qd0, n * sizeof *state->qd);
     return THUD_OK;
-}
-
-void thud_state_clear(struct thud_state *state)
-{
-    free(state->q);
-    *state = (struct thud_state){0};
 }
 
 double thud_state_kinetic(const struct thud_state *state)

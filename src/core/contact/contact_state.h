@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/arena.h"
 #include "base/largest.h"
 #include "base/status.h"
 #include "core/model/model.h"
@@ -83,6 +84,7 @@ struct thud_state {
     double fastest_radps; /* of the model */
 
     struct thud_work *work;     /* counters */
+    struct thud_blocks *memory; /* of the run: of all that is made for it */
     double *free_mps2;          /* (nmodes + nrows) workspace of state.c */
     int *set_now;               /* (2 nrows) and */
     double *collide;            /* workspace of impulse.c */
@@ -92,10 +94,10 @@ struct thud_state {
 };
 
 /* All at t = 0, open, with the model's initial motion. `end_s`, `grid_dt_s` and what is asked of a method are the
- * caller's. Errors: THUD_MEMORY; nothing stays allocated then. */
+ * caller's. Errors: THUD_MEMORY. */
 enum thud_status thud_state_init(struct thud_state *state, const struct thud_model *model,
-                                 const struct thud_record *record, struct thud_work *work, struct thud_error *err);
-void thud_state_clear(struct thud_state *state);
+                                 const struct thud_record *record, struct thud_work *work, struct thud_blocks *memory,
+                                 struct thud_error *err);
 
 static inline double thud_state_now(const struct thud_state *state)
 {

@@ -13,7 +13,6 @@
  * order by order (next_order); the forces are given, or follow from the orders below by eq. (7) (linear_forces). */
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -31,18 +30,19 @@ static void forget(const struct thud_segment *seg, int nrows)
     }
 }
 
-enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err)
+enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_state *state, struct thud_error *err)
 {
+    const struct thud_model *model = state->model;
     const size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
                  terms = THUD_SEGMENT_TERMS;
     struct thud_segment_notes notes;
     *seg = (struct thud_segment){0};
     const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(seg->q, terms * n), THUD_PIECE(notes.bound, 2 * n), THUD_PIECE(seg->force, terms * nc),
-                 THUD_PIECE(notes.indentation, terms * nc), THUD_PIECE(notes.floors, ns), THUD_PIECE(notes.drifts, ns),
-                 THUD_PIECE(notes.thirds, ns), THUD_PIECE(notes.parted, nc), THUD_PIECE(notes.end, 2 * n),
-                 THUD_PIECE(notes.falling, terms), THUD_PIECE(seg->row, nc), THUD_PIECE(notes.cached, nc),
-                 THUD_PIECE(seg->notes, 1));
+        THUD_LAY_IN(state->memory, err, THUD_PIECE(seg->q, terms * n), THUD_PIECE(notes.bound, 2 * n),
+                    THUD_PIECE(seg->force, terms * nc), THUD_PIECE(notes.indentation, terms * nc),
+                    THUD_PIECE(notes.floors, ns), THUD_PIECE(notes.drifts, ns), THUD_PIECE(notes.thirds, ns),
+                    THUD_PIECE(notes.parted, nc), THUD_PIECE(notes.end, 2 * n), THUD_PIECE(notes.falling, terms),
+                    THUD_PIECE(seg->row, nc), THUD_PIECE(notes.cached, nc), THUD_PIECE(seg->notes, 1));
     if (status == THUD_OK) {
         *seg->notes = notes;
         forget(seg, model->nrows);
@@ -50,12 +50,6 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
             notes.falling[k] = (thud_vec2){1, 1} * (k * (k - 1) * (k - 2));
     }
     return status;
-}
-
-void thud_segment_clear(struct thud_segment *seg)
-{
-    free(seg->q);
-    *seg = (struct thud_segment){0};
 }
 
 /* Bounds of two modes, or one: sums of the sizes of their terms; and their state at s, by Horner's scheme. */

@@ -65,9 +65,8 @@ struct thud_segment {
     struct thud_segment_notes *notes;
 };
 
-/* A segment of no length. Errors: THUD_MEMORY; nothing stays allocated then. */
-enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_model *model, struct thud_error *err);
-void thud_segment_clear(struct thud_segment *seg);
+/* A segment of no length. Errors: THUD_MEMORY. */
+enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_state *state, struct thud_error *err);
 
 /* Bound of the fastest rate of the run's motion with the linear contacts that are closed, 1/s. */
 double thud_segment_rate(const struct thud_state *state);

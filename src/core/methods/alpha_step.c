@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -26,11 +25,11 @@ static enum thud_status create(const struct thud_method *method, const struct th
     struct thud_alpha_work *x, to = {.p = *parameters, .fresh = true};
     assert(time_offset(parameters) != 0 || parameters->am == 0);
     const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(x, 1), THUD_PIECE(to.a0, (THUD_STEPS_AT_ONCE + 2) * size + n), THUD_PIECE(to.a1, n),
-                 THUD_PIECE(to.rhs, n), THUD_PIECE(to.response, nc * n), THUD_PIECE(to.w, nc * nc),
-                 THUD_PIECE(to.matrix, nc * nc), THUD_PIECE(to.change, nc), THUD_PIECE(to.d, nc), THUD_PIECE(to.v, nc),
-                 THUD_PIECE(to.a, nc), THUD_PIECE(to.reach, nc), THUD_PIECE(to.active, nc), THUD_PIECE(to.pivot, nc),
-                 THUD_MODAL_OPERATOR_PIECES(to.op, m));
+        THUD_LAY_IN(state->memory, err, THUD_PIECE(x, 1), THUD_PIECE(to.a0, (THUD_STEPS_AT_ONCE + 2) * size + n),
+                    THUD_PIECE(to.a1, n), THUD_PIECE(to.rhs, n), THUD_PIECE(to.response, nc * n),
+                    THUD_PIECE(to.w, nc * nc), THUD_PIECE(to.matrix, nc * nc), THUD_PIECE(to.change, nc),
+                    THUD_PIECE(to.d, nc), THUD_PIECE(to.v, nc), THUD_PIECE(to.a, nc), THUD_PIECE(to.reach, nc),
+                    THUD_PIECE(to.active, nc), THUD_PIECE(to.pivot, nc), THUD_MODAL_OPERATOR_PIECES(to.op, m));
     *own = x;
     if (status != THUD_OK)
         return status;
@@ -242,4 +241,4 @@ static void committed(const struct thud_state *state, void *own, const struct th
     }
 }
 
-const struct thud_stepper thud_alpha_stepper = {create, step, committed, free};
+const struct thud_stepper thud_alpha_stepper = {create, step, committed};

@@ -5,7 +5,6 @@
 #include "core/methods/dormand_prince.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/arena.h"
 #include "core/methods/runge_kutta.h"
@@ -35,21 +34,14 @@ struct dormand_prince {
     struct thud_motion error; /* of the step at its end */
 };
 
-static void release(void *own)
-{
-    struct dormand_prince *x = own;
-    free(x->rk);
-    free(x);
-}
-
 static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
                                struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     void *rk = NULL;
     struct dormand_prince *x, to = {.h = thud_state_default_step(state)};
-    enum thud_status status = THUD_LAY(err, THUD_PIECE(x, 1), THUD_MOTION_PIECES(to.error, m),
-                                       THUD_PIECE(to.scale_mps2, m->nstructures), THUD_PIECE(to.scale_n, m->nrows));
+    enum thud_status status = THUD_LAY_IN(state->memory, err, THUD_PIECE(x, 1), THUD_MOTION_PIECES(to.error, m),
+                                          THUD_PIECE(to.scale_mps2, m->nstructures), THUD_PIECE(to.scale_n, m->nrows));
     *own = x;
     if (status != THUD_OK)
         return status;
@@ -173,4 +165,4 @@ static void committed(const struct thud_state *state, void *own, const struct th
     thud_rk_committed(state, x->rk, seg, tau_s, switched);
 }
 
-const struct thud_stepper thud_dormand_prince_stepper = {create, step, committed, release};
+const struct thud_stepper thud_dormand_prince_stepper = {create, step, committed};

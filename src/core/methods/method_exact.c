@@ -6,11 +6,6 @@
 #include "core/motion/collocation.h"
 #include "core/numerics/tolerance.h"
 
-static void release(void *own)
-{
-    thud_collocation_free(own);
-}
-
 /* Collocation is needed by laws that are not linear; without it the method has nothing of its own. */
 static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
                                struct thud_error *err)
@@ -86,5 +81,5 @@ const struct thud_method thud_method_exact = {
     .order = 0,
     .stability = INFINITY,
     .limits = "none known; the step follows the contact forces alone",
-    .stepper = &(const struct thud_stepper){create, step, committed, release},
+    .stepper = &(const struct thud_stepper){create, step, committed},
 };

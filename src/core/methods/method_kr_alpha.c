@@ -6,7 +6,6 @@
  * The acceleration a is the scheme's own and goes on from step to step. Nothing is located: a contact that is held
  * would need a force that acts through A1, which the scheme does not have. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/methods/method.h"
@@ -30,10 +29,10 @@ static enum thud_status create(const struct thud_method *method, const struct th
     const struct thud_model *m = state->model;
     struct kr *x, to = {0};
     const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(x, 1), THUD_MOTION_PIECES(to.start, m), THUD_MOTION_PIECES(to.end, m),
-                 THUD_MOTION_PIECES(to.work, m), THUD_PIECE(to.a, m->nmodes), THUD_PIECE(to.smooth, m->nmodes),
-                 THUD_PIECE(to.rhs, m->nmodes), THUD_PIECE(to.spare, m->nmodes),
-                 THUD_MODAL_OPERATOR_PIECES(to.a1_operator, m), THUD_MODAL_OPERATOR_PIECES(to.end_operator, m));
+        THUD_LAY_IN(state->memory, err, THUD_PIECE(x, 1), THUD_MOTION_PIECES(to.start, m),
+                    THUD_MOTION_PIECES(to.end, m), THUD_MOTION_PIECES(to.work, m), THUD_PIECE(to.a, m->nmodes),
+                    THUD_PIECE(to.smooth, m->nmodes), THUD_PIECE(to.rhs, m->nmodes), THUD_PIECE(to.spare, m->nmodes),
+                    THUD_MODAL_OPERATOR_PIECES(to.a1_operator, m), THUD_MODAL_OPERATOR_PIECES(to.end_operator, m));
     if (status == THUD_OK)
         *x = to;
     *own = x;
@@ -89,5 +88,5 @@ const struct thud_method thud_method_kr_alpha = {
     .order = 1,
     .stability = INFINITY,
     .limits = "none in linear structures; stiff contacts, which its matrices do not know, make it unstable",
-    .stepper = &(const struct thud_stepper){create, step, NULL, free},
+    .stepper = &(const struct thud_stepper){create, step, NULL},
 };

@@ -1,8 +1,6 @@
 /* Kutta's classical method, of which the fifth stage is the end of the step (weights 1/6, 1/3, 1/3, 1/6): its right-hand
  * side is the next step's first, so a step costs four evaluations. Between the ends the motion is the quintic through q,
  * q', q'' of both (stepping.h), of order 5: what is located or read there is no less accurate than the steps. */
-#include <stdlib.h>
-
 #include "core/methods/runge_kutta.h"
 
 /* Rows 1 to 3 are the stages, row 4 the weights of the step. */
@@ -33,6 +31,6 @@ const struct thud_method thud_method_rk4 = {
     .order = 4,
     .stability = 2.8284271247461903,
     .limits = "stable while omega dt < 2 sqrt(2), but contacts that open and close may gain energy below",
-    .stepper = &(const struct thud_stepper){thud_rk_create, step, thud_rk_committed, free},
+    .stepper = &(const struct thud_stepper){thud_rk_create, step, thud_rk_committed},
     .scheme = &tableau,
 };

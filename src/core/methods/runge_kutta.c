@@ -5,7 +5,6 @@
 #include "core/methods/runge_kutta.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/numerics/tolerance.h"
@@ -15,11 +14,12 @@ enum thud_status thud_rk_create(const struct thud_method *method, const struct t
 {
     const struct thud_tableau *tableau = method->scheme;
     const size_t size = (size_t)(tableau->stages + 1) * thud_motion_size(state->model);
-    struct thud_rk *rk = *own = calloc(1, sizeof *rk + size * sizeof(double));
-    if (!rk)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    struct thud_rk *rk;
+    double *next;
+    if (THUD_LAY_IN(state->memory, err, THUD_PIECE(rk, 1), THUD_PIECE(next, size)) != THUD_OK)
+        return THUD_MEMORY;
+    *own = rk;
     rk->tableau = tableau;
-    double *next = rk->block;
     for (int i = 0; i < tableau->stages; i++)
         next = thud_motion_place(&rk->stage[i], state->model, next);
     thud_motion_place(&rk->work, state->model, next);

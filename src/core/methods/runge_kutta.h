@@ -18,10 +18,9 @@ struct thud_rk {
     struct thud_motion stage[THUD_RK_STAGES_MAX], work; /* stage[0]: start, the last one: end */
     bool first_known;                                   /* stage[0] holds the right-hand side at the run's state */
     double end_mps2;                                    /* ground acceleration at the end of the step before */
-    double block[];
 };
 
-/* Of a method whose scheme is a struct thud_tableau; *own is a struct thud_rk, one block of memory. */
+/* Of a method whose scheme is a struct thud_tableau; *own is a struct thud_rk. */
 enum thud_status thud_rk_create(const struct thud_method *method, const struct thud_state *state, void **own,
                                 struct thud_error *err);
 

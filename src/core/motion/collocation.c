@@ -2,7 +2,6 @@
 
 #include <lapacke.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -76,7 +75,7 @@ struct thud_collocation {
     /* The system: unknowns are the forces of the active contacts at the nodes but the first */
     double *largest_n; /* (nc) force so far: scale on which errors count */
     int *active, *at;  /* (nc); place of a row among them, or -1 */
-    int nactive, capacity;
+    int nactive, most_active, capacity;
     const thud_vec2 **response;   /* (nactive x nactive) of one to the force of the other: of */
     const struct scheme *made_by; /* this scheme, NULL: of another set of rows, and */
     int made_level;               /* this level */
@@ -276,7 +275,7 @@ static enum thud_status set_points(const struct thud_state *state, const struct 
         for (int i = 0; i < CHECKS; i++)
             by->between[k][i] = thud_poly_value(by->lagrange[k], n, by->point[n + i]);
     }
-    return thud_responses_create(state->model, n, by->points, by->point, lagrange, x->h_top, &by->responses, err);
+    return thud_responses_create(state, n, by->points, by->point, lagrange, x->h_top, &by->responses, err);
 }
 
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
@@ -287,9 +286,10 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     /* an interval of the ground motion, or a part of one that a series is enough for */
     to.h = to.h_top =
         state->grid_dt_s / ceil(thud_larger(1, state->fastest_radps * state->grid_dt_s / THUD_SEGMENT_ANGLE));
-    enum thud_status status = THUD_LAY(err, THUD_PIECE(x, 1), THUD_PIECE(to.step.coefficient, ROW * m->nrows),
-                                       THUD_PIECE(to.step.of, m->nrows), THUD_PIECE(to.active, m->nrows),
-                                       THUD_PIECE(to.at, m->nrows), THUD_PIECE(to.largest_n, m->nrows));
+    enum thud_status status =
+        THUD_LAY_IN(state->memory, err, THUD_PIECE(x, 1), THUD_PIECE(to.step.coefficient, ROW * m->nrows),
+                    THUD_PIECE(to.step.of, m->nrows), THUD_PIECE(to.active, m->nrows), THUD_PIECE(to.at, m->nrows),
+                    THUD_PIECE(to.largest_n, m->nrows));
     *out = x;
     if (status != THUD_OK)
         return status;
@@ -302,16 +302,6 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
         x->largest_n[m->ncontacts + k] =
             (1 - m->storey[k].hardening) * m->storey[k].stiffness_npm * m->storey[k].yield_m;
     return status;
-}
-
-void thud_collocation_free(struct thud_collocation *x)
-{
-    if (!x)
-        return;
-    thud_responses_free(x->few.responses);
-    thud_responses_free(x->many.responses);
-    free(x->free);
-    free(x);
 }
 
 static struct branch_name name_of(const struct thud_state *state, int row)
@@ -343,19 +333,25 @@ void thud_collocation_committed(const struct thud_state *state, struct thud_coll
     x->contraction = slowest_contraction;
 }
 
-/* Room for n active contacts. */
-static bool reserve(struct thud_collocation *x, int n)
+/* Room for n active contacts, and for twice as many as before: what it replaces stays until the run is freed. The forces of
+ * more contacts than ever are 0 at first. */
+static enum thud_status reserve(const struct thud_state *state, struct thud_collocation *x, int n,
+                                struct thud_error *err)
 {
-    if (n <= x->capacity)
-        return true;
-    const size_t contacts = (size_t)n, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX;
-    free(x->free);
-    x->capacity = n;
-    return THUD_LAY(NULL, THUD_PIECE(x->free, motions), THUD_PIECE(x->motion, motions),
-                    THUD_PIECE(x->force, contacts * NODES_MAX + 1), THUD_PIECE(x->residual, unknowns),
-                    THUD_PIECE(x->scale, contacts), THUD_PIECE(x->matrix, unknowns * unknowns),
-                    THUD_PIECE(x->response, contacts * contacts), THUD_PIECE(x->pivot, unknowns),
-                    THUD_PIECE(x->begins, contacts)) == THUD_OK;
+    if (n <= x->most_active)
+        return THUD_OK;
+    x->most_active = n;
+    if (n <= x->capacity) {
+        memset(x->force, 0, (size_t)(n * NODES_MAX + 1) * sizeof *x->force);
+        return THUD_OK;
+    }
+    x->capacity = n > 2 * x->capacity ? n : 2 * x->capacity;
+    const size_t contacts = (size_t)x->capacity, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX;
+    return THUD_LAY_IN(state->memory, err, THUD_PIECE(x->free, motions), THUD_PIECE(x->motion, motions),
+                       THUD_PIECE(x->force, contacts * NODES_MAX + 1), THUD_PIECE(x->residual, unknowns),
+                       THUD_PIECE(x->scale, contacts), THUD_PIECE(x->matrix, unknowns * unknowns),
+                       THUD_PIECE(x->response, contacts * contacts), THUD_PIECE(x->pivot, unknowns),
+                       THUD_PIECE(x->begins, contacts));
 }
 
 /* The forces at the start: as they are, or where the polynomials through the other nodes come to. */
@@ -695,8 +691,6 @@ static void accept(struct thud_collocation *x, int level, double h, double want)
  *   4) THUD_MEMORY. */
 static enum thud_status make_step(const struct thud_state *state, struct thud_collocation *x, struct thud_error *err)
 {
-    if (!reserve(x, x->nactive))
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
     const double tolerance = step_tolerance(state), ahead = thud_state_remaining(state);
     double before = INFINITY, error;
     choose_size(x);
@@ -705,7 +699,7 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
     for (int same = 0;;) {
         const int level = level_for(x, x->h, ahead);
         const double want = x->h, h = ldexp(x->h_top, -level);
-        enum thud_status status = solve_level(state, x, level, tolerance, &error, err);
+        const enum thud_status status = solve_level(state, x, level, tolerance, &error, err);
         if (status != THUD_OK)
             return status;
         same = error > same_error * before && error <= near_tolerance * tolerance ? same + 1 : 0;
@@ -726,7 +720,9 @@ enum thud_status thud_collocation_step(const struct thud_state *state, struct th
                                        struct thud_collocation *x, struct thud_error *err)
 {
     find_active(state, x);
-    enum thud_status status = make_step(state, x, err);
+    enum thud_status status = reserve(state, x, x->nactive, err);
+    if (status == THUD_OK)
+        status = make_step(state, x, err);
     if (status == THUD_OK)
         write_segment(state, seg, x);
     return status;

@@ -12,10 +12,9 @@
 
 struct thud_collocation;
 
-/* Errors: THUD_MEMORY; what *out has is to be freed then, too. */
+/* Errors: THUD_MEMORY. */
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
                                          struct thud_error *err);
-void thud_collocation_free(struct thud_collocation *collocation);
 
 /* A step that is accurate to the run's tolerance; it may be longer than what is left of the interval of the ground motion,
  * whose line it then follows. Errors: THUD_DIVERGED (no step is small enough), THUD_MEMORY. */

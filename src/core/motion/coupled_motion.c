@@ -50,13 +50,14 @@ static bool dashpot_acts(const struct thud_model *m, int link, int system)
     return p->contact < 0 && p->damping_nspm != 0 && m->structure[p->structure].system == system;
 }
 
-static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, int links, struct thud_error *err)
+static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, int links,
+                                 struct thud_blocks *memory, struct thud_error *err)
 {
     const size_t n = (size_t)c->n, size = (size_t)c->size, all = size * size;
     enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(c->step, 2 * n * size), THUD_PIECE(c->loss, (size_t)(1 + links) * all),
-                 THUD_PIECE(c->now, 2 * size), THUD_PIECE(c->input, all), THUD_PIECE(c->product, all),
-                 THUD_PIECE(c->link, links));
+        THUD_LAY_IN(memory, err, THUD_PIECE(c->step, 2 * n * size), THUD_PIECE(c->loss, (size_t)(1 + links) * all),
+                    THUD_PIECE(c->now, 2 * size), THUD_PIECE(c->input, all), THUD_PIECE(c->product, all),
+                    THUD_PIECE(c->link, links));
     if (status != THUD_OK)
         return status;
     c->work[0] = c->input + 2 * n * size;
@@ -166,7 +167,8 @@ static void finish_form(int n, double *form)
 }
 
 enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
-                                          int system, int mode, int storey, struct thud_error *err)
+                                          int system, int mode, int storey, struct thud_blocks *memory,
+                                          struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[m->system[system]];
@@ -180,7 +182,7 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
     int links = 0;
     for (int i = 0; mode < 0 && i < m->nlinks; i++)
         links += dashpot_acts(m, i, system);
-    enum thud_status status = allocate(motion, &part, links, err);
+    enum thud_status status = allocate(motion, &part, links, memory, err);
     if (status != THUD_OK)
         return status;
     for (int i = 0; motion->links < links; i++)
@@ -205,12 +207,6 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
     finish_form(n, motion->input);
     free(part.flow);
     return THUD_OK;
-}
-
-void thud_coupled_motion_clear(struct thud_coupled_motion *motion)
-{
-    free(motion->step);
-    *motion = (struct thud_coupled_motion){0};
 }
 
 /* So many pairs of the next q and q', out, by their columns of the propagator. */

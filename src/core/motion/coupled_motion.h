@@ -38,10 +38,10 @@ struct thud_coupled_motion {
 };
 
 /* Of the structures of one system; mode: -1, or this one of its modes alone; storey: -1, or one that yields. Errors:
- * THUD_MEMORY; to be cleared then, too. */
+ * THUD_MEMORY. */
 enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
-                                          int system, int mode, int storey, struct thud_error *err);
-void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
+                                          int system, int mode, int storey, struct thud_blocks *memory,
+                                          struct thud_error *err);
 
 /* Rows of q, qd and of x = q - s of all modes, from the first value of q and qd on, under the ground accelerations at
  * the start and at the end of each interval, and constant forces under which the modes rest at s. Returns how many

@@ -6,7 +6,6 @@
 #include "core/motion/free_vibration_parts.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -54,8 +53,8 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
               .dt_s = state->grid_dt_s,
               .size = THUD_FREE_VIBRATION_BLOCK,
               .pieces = 1 + (int)(state->fastest_radps * state->grid_dt_s / THUD_SEGMENT_ANGLE)};
-    enum thud_status status = THUD_LAY(
-        err, THUD_PIECE(f, 1), THUD_PIECE(to.tables.e[0], (3 * 4 + THUD_FREE_VIBRATION_PRODUCTS) * rows),
+    enum thud_status status = THUD_LAY_IN(
+        state->memory, err, THUD_PIECE(f, 1), THUD_PIECE(to.tables.e[0], (3 * 4 + THUD_FREE_VIBRATION_PRODUCTS) * rows),
         THUD_PIECE(to.series.now, rows), THUD_PIECE(to.series.now_rate, rows), THUD_PIECE(to.speed, rows),
         THUD_PIECE(to.shift, rows), THUD_PIECE(to.q, ends), THUD_PIECE(to.qd, ends), THUD_PIECE(to.acceleration, ends),
         THUD_PIECE(to.work[0], coupled), THUD_PIECE(to.work[1], coupled), THUD_PIECE(to.work[2], coupled),
@@ -65,25 +64,15 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
         THUD_PIECE(to.limit, m->ncontacts), THUD_PIECE(to.bound, THUD_FREE_VIBRATION_BOUNDS * ns),
         THUD_PIECE(to.valued, THUD_FLOOR_QUANTITIES * ns), THUD_PIECE(to.near, m->ncontacts),
         THUD_PIECE(to.series.has, ns), THUD_PIECE(to.coupled, m->nsystems + m->nstoreys));
-    *out = f;
     if (status != THUD_OK)
         return status;
+    *out = f;
     place_tables(&to.tables, rows);
     *f = to;
-    status = thud_segment_init(&f->series.seg, m, err);
+    status = thud_segment_init(&f->series.seg, state, err);
     if (status == THUD_OK && (!like || !thud_free_vibration_copy_tables(f, like)))
         status = thud_free_vibration_make_tables(state, f, err);
     return status;
-}
-
-void thud_free_vibration_free(struct thud_free_vibration *f)
-{
-    if (!f)
-        return;
-    thud_segment_clear(&f->series.seg);
-    for (int i = 0; i < f->nsystems + f->model->nstoreys; i++)
-        thud_coupled_motion_clear(&f->coupled[i]);
-    free(f);
 }
 
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd)

@@ -73,11 +73,9 @@ struct thud_free_vibration {
 };
 
 /* *out stays NULL for a model that it is not for. The tables are those of `like` (may be NULL), whose model must still
- * be there, where it has the same modes and intervals. Errors: THUD_MEMORY; what *out has is to be freed then,
- * too. */
+ * be there, where it has the same modes and intervals. Errors: THUD_MEMORY. */
 enum thud_status thud_free_vibration_create(const struct thud_state *state, const struct thud_free_vibration *like,
                                             struct thud_free_vibration **out, struct thud_error *err);
-void thud_free_vibration_free(struct thud_free_vibration *f);
 
 /* Makes a block from the state on, and returns how many intervals pass before one in which a contact closes or a storey
  * yields, or unloads; 0 where the state is not at the start of an interval, a contact is not open, more than one storey

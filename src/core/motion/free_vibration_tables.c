@@ -53,19 +53,20 @@ enum thud_status thud_free_vibration_make_tables(const struct thud_state *state,
     for (int s = 0; s < m->nsystems && status == THUD_OK; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
         struct thud_coupled_motion alone;
+        struct thud_blocks memory = {NULL};
         if (p->damping)
-            status = thud_coupled_motion_init(&f->coupled[s], state, s, -1, -1, err);
+            status = thud_coupled_motion_init(&f->coupled[s], state, s, -1, -1, state->memory, err);
         for (int j = p->first_mode; !p->damping && j < p->first_mode + p->modes && status == THUD_OK; j++) {
-            status = thud_coupled_motion_init(&alone, state, s, j, -1, err);
+            status = thud_coupled_motion_init(&alone, state, s, j, -1, &memory, err);
             if (status == THUD_OK)
                 read_mode(&f->tables, &alone, j);
-            thud_coupled_motion_clear(&alone);
+            thud_blocks_free(&memory);
         }
     }
     for (int k = 0; k < m->nstoreys && status == THUD_OK; k++)
         if (slides(m, k))
             status = thud_coupled_motion_init(&f->coupled[m->nsystems + k], state,
-                                              m->structure[m->storey[k].structure].system, -1, k, err);
+                                              m->structure[m->storey[k].structure].system, -1, k, state->memory, err);
     return status;
 }
 

@@ -1,7 +1,6 @@
 #include "core/motion/response.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -42,6 +41,7 @@ struct level {
 
 struct thud_responses {
     const struct thud_model *model;
+    struct thud_blocks *memory;
     int n, points, loads; /* nodes; points in all; tables in level->load */
     double h_top;
     double lagrange[THUD_NODES_MAX * THUD_NODES_MAX], point[THUD_POINTS_MAX];
@@ -66,16 +66,21 @@ static void fill_weights(struct thud_responses *x)
     }
 }
 
-enum thud_status thud_responses_create(const struct thud_model *m, int n, int points, const double *point,
+enum thud_status thud_responses_create(const struct thud_state *state, int n, int points, const double *point,
                                        const double *lagrange, double h_top, struct thud_responses **out,
                                        struct thud_error *err)
 {
+    const struct thud_model *m = state->model;
     const size_t modes = (size_t)m->nmodes;
-    struct thud_responses *x,
-        to = {.model = m, .n = n, .points = points, .loads = m->couples ? m->nrows : 1, .h_top = h_top};
-    const enum thud_status status = THUD_LAY(
-        err, THUD_PIECE(x, 1), THUD_PIECE(to.at_start, modes), THUD_PIECE(to.rise, modes), THUD_PIECE(to.zero, modes),
-        THUD_PIECE(to.ones, modes), THUD_PIECE(to.unforced, modes * (size_t)points),
+    struct thud_responses *x, to = {.model = m,
+                                    .memory = state->memory,
+                                    .n = n,
+                                    .points = points,
+                                    .loads = m->couples ? m->nrows : 1,
+                                    .h_top = h_top};
+    const enum thud_status status = THUD_LAY_IN(
+        state->memory, err, THUD_PIECE(x, 1), THUD_PIECE(to.at_start, modes), THUD_PIECE(to.rise, modes),
+        THUD_PIECE(to.zero, modes), THUD_PIECE(to.ones, modes), THUD_PIECE(to.unforced, modes * (size_t)points),
         THUD_PIECE(to.weight, (n + 1) * points * THUD_SEGMENT_TERMS));
     *out = x;
     if (status != THUD_OK)
@@ -86,23 +91,7 @@ enum thud_status thud_responses_create(const struct thud_model *m, int n, int po
     for (size_t j = 0; j < modes; j++)
         x->ones[j] = 1;
     fill_weights(x);
-    return thud_segment_init(&x->seg, m, err);
-}
-
-void thud_responses_free(struct thud_responses *x)
-{
-    if (!x)
-        return;
-    for (int l = 0; l < LEVELS; l++) {
-        struct level *level = &x->level[l];
-        for (int p = 0; level->pair && p < x->model->nrows * x->model->nrows; p++)
-            free(level->pair[p]);
-        for (int load = 0; level->load && load < x->loads; load++)
-            free(level->load[load].series);
-        free(level->pair);
-    }
-    thud_segment_clear(&x->seg);
-    free(x);
+    return thud_segment_init(&x->seg, state, err);
 }
 
 /* ---- R and R' ---- */
@@ -112,10 +101,8 @@ static bool fill_load(struct thud_responses *x, struct load *out, const double *
 {
     const int n = x->model->nmodes, size = n * x->points;
     struct thud_segment *seg = &x->seg;
-    out->series = calloc((size_t)(terms * n + 4 * size), sizeof *out->series);
-    if (!out->series)
+    if (THUD_LAY_IN(x->memory, NULL, THUD_PIECE(out->series, terms * n), THUD_PIECE(out->start, 2 * size)) != THUD_OK)
         return false;
-    out->start = (thud_vec2 *)(out->series + terms * n);
     thud_taylor_load(x->model, seg, h, terms, b);
     memcpy(out->series, seg->q, (size_t)(terms * n) * sizeof *out->series);
     for (int p = 0; p < 2; p++) {
@@ -174,19 +161,27 @@ static bool fill_pair(struct thud_responses *x, const struct level *level, doubl
 {
     const struct thud_model *m = x->model;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes;
-    thud_vec2 *motion = *out = calloc((size_t)(x->points * x->n), sizeof *motion);
     double gap[THUD_SEGMENT_TERMS], value[(THUD_NODES_MAX + 1) * THUD_POINTS_MAX], factorial = 1;
+    if (THUD_LAY_IN(x->memory, NULL, THUD_PIECE(*out, x->points * x->n)) != THUD_OK)
+        return false;
+    const int n = x->n, points = x->points;
+    thud_vec2 *motion = *out;
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] = m->couples ? -ga[j] : -ga[j] * gb[j];
     thud_dots(m->nmodes, x->rise, load_of(x, level, b)->series, m->nmodes, level->terms, gap);
     thud_dots(level->terms, gap, x->weight, THUD_SEGMENT_TERMS, (x->n + 1) * x->points, value);
-    for (int p = 0; p < x->n && motion; p++, factorial *= p) /* x_p is p! times that integral */
-        for (int i = 0; i < x->points; i++) {
-            const double *at = value + p * x->points + i;
-            for (int k = 0; k < x->n; k++)
-                motion[i * x->n + k] += factorial * x->lagrange[p * x->n + k] * thud_vec2_set(at[x->points], at[0] / h);
+    for (int p = 0; p < n; p++, factorial *= p) { /* x_p is p! times that integral */
+        double share[THUD_NODES_MAX];
+        for (int k = 0; k < n; k++)
+            share[k] = factorial * x->lagrange[p * n + k];
+        for (int i = 0; i < points; i++) {
+            const double *at = value + p * points + i;
+            const thud_vec2 term = thud_vec2_set(at[points], at[0] / h);
+            for (int k = 0; k < n; k++)
+                motion[i * n + k] += share[k] * term;
         }
-    return motion != NULL;
+    }
+    return true;
 }
 
 enum thud_status thud_responses_make(struct thud_responses *x, int at, const int *contact, int n, const thud_vec2 **out,
@@ -196,8 +191,8 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
     const struct thud_model *m = x->model;
     const size_t rows = (size_t)m->nrows;
     const double h = ldexp(x->h_top, -at);
-    bool made =
-        level->pair || THUD_LAY(NULL, THUD_PIECE(level->pair, rows * rows), THUD_PIECE(level->load, rows)) == THUD_OK;
+    bool made = level->pair || THUD_LAY_IN(x->memory, NULL, THUD_PIECE(level->pair, rows * rows),
+                                           THUD_PIECE(level->load, rows)) == THUD_OK;
     level->terms = thud_segment_terms(m->fastest_radps * h, THUD_TOL_SERIES);
     for (int b = 0; b < n && made; b++) {
         struct load *load = load_of(x, level, contact[b]);

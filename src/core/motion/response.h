@@ -11,11 +11,10 @@ struct thud_responses;
 enum { THUD_NODES_MAX = 7, THUD_POINTS_MAX = THUD_NODES_MAX + 2 };
 
 /* point (points); lagrange (n x n): coefficients of the polynomials through the nodes. Steps: h_top / 2^level. Errors:
- * THUD_MEMORY; what *out has is to be freed then, too. */
-enum thud_status thud_responses_create(const struct thud_model *model, int n, int points, const double *point,
+ * THUD_MEMORY. */
+enum thud_status thud_responses_create(const struct thud_state *state, int n, int points, const double *point,
                                        const double *lagrange, double h_top, struct thud_responses **out,
                                        struct thud_error *err);
-void thud_responses_free(struct thud_responses *responses);
 
 /* Makes the responses of these contacts, in order, to each other at this step size: out (n x n), of one to the force of the other at
  * each node (points x nodes). Errors: THUD_MEMORY. */

@@ -7,7 +7,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/arena.h"
 #include "base/largest.h"
@@ -20,13 +19,14 @@ static int even_floors(const struct thud_model_structure *p)
     return p->dofs + p->dofs % 2;
 }
 
-enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct thud_model *model, const double *shape,
+enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct thud_state *state, const double *shape,
                                      int stride, const double *per_speed, struct thud_error *err)
 {
+    const struct thud_model *model = state->model;
     size_t row = (size_t)stride, rows = THUD_FLOOR_QUANTITIES * ((size_t)model->nstructures + 1);
     *ends = (struct thud_end_peaks){.shape = shape, .stride = stride, .per_speed = per_speed};
-    const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(ends->most, rows * row + 2), THUD_PIECE(ends->quiet, model->nstructures));
+    const enum thud_status status = THUD_LAY_IN(state->memory, err, THUD_PIECE(ends->most, rows * row + 2),
+                                                THUD_PIECE(ends->quiet, model->nstructures));
     if (status != THUD_OK)
         return status;
     double *next = ends->most;
@@ -39,12 +39,6 @@ enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct t
         }
     ends->value = next + 2;
     return THUD_OK;
-}
-
-void thud_end_peaks_clear(struct thud_end_peaks *ends)
-{
-    free(ends->most);
-    *ends = (struct thud_end_peaks){0};
 }
 
 /* Displacements, velocities, total accelerations and drifts of all floors: value (quantities x stride), before which

@@ -21,9 +21,8 @@ struct thud_end_peaks {
     double *value;                /* (quantities x stride) of a step's end; the ground's stands before them */
 };
 
-/* Reads shape and per_speed as long as it lives. Errors: THUD_MEMORY; nothing stays allocated then. */
-enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct thud_model *model, const double *shape,
+/* Reads shape and per_speed as long as it lives. Errors: THUD_MEMORY. */
+enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct thud_state *state, const double *shape,
                                      int stride, const double *per_speed, struct thud_error *err);
-void thud_end_peaks_clear(struct thud_end_peaks *ends);
 /* The end of the step o, whose floors' peaks rise in the result. */
 void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result);

@@ -7,7 +7,6 @@
 #include "core/observe/observe_energy.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/arena.h"
 #include "core/contact/storey.h"
@@ -250,13 +249,13 @@ static void jumped(void *own, const struct thud_state *state)
 const struct thud_observer thud_observe_energy = {
     .segment = segment, .block = block, .may_jump = thud_observer_jumps, .jumped = jumped};
 
-enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_model *model,
+enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_state *state,
                                   const struct thud_contact_log *log, double limit, struct thud_error *err)
 {
     *ledger = (struct thud_ledger){.log = log, .limit = limit};
-    const enum thud_status status = THUD_LAY(err, THUD_PIECE(ledger->power, THUD_LOBATTO_RULES),
-                                             THUD_PIECE(ledger->rates, THUD_LOBATTO_INNER * model->nmodes),
-                                             THUD_PIECE(ledger->work, model->ncontacts));
+    const enum thud_status status = THUD_LAY_IN(state->memory, err, THUD_PIECE(ledger->power, THUD_LOBATTO_RULES),
+                                                THUD_PIECE(ledger->rates, THUD_LOBATTO_INNER * state->model->nmodes),
+                                                THUD_PIECE(ledger->work, state->model->ncontacts));
     for (int rule = 0; rule < THUD_LOBATTO_RULES && status == THUD_OK; rule++)
         for (int i = 0; i < thud_lobatto[rule].inner; i++) {
             double x = 1;
@@ -264,11 +263,6 @@ enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_
                 ledger->power[rule].order[k][i] = (thud_vec2_aligned){k * x, k * x};
         }
     return status;
-}
-
-void thud_ledger_clear(struct thud_ledger *ledger)
-{
-    free(ledger->power);
 }
 
 void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *state)

@@ -28,9 +28,8 @@ struct thud_ledger {
 extern const struct thud_observer thud_observe_energy;
 
 /* Errors: THUD_MEMORY. */
-enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_model *model,
+enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_state *state,
                                   const struct thud_contact_log *log, double limit, struct thud_error *err);
-void thud_ledger_clear(struct thud_ledger *ledger);
 /* Begins at this state. */
 void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *state);
 /* The balance at the state, kept in ledger->balance. */

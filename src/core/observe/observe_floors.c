@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -272,9 +271,10 @@ const struct thud_observer thud_observe_floors = {.segment = segment, .switched 
 
 /* ---- making them ---- */
 
-enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, const struct thud_model *model,
+enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, const struct thud_state *state,
                                              const struct thud_floor_spectra_choice *choice, struct thud_error *err)
 {
+    const struct thud_model *model = state->model;
     assert(choice->nfloors > 0 && choice->nperiods > 0);
     assert(choice->damping > 0 && choice->damping < 1);
     const size_t nf = (size_t)choice->nfloors, nm = (size_t)model->nmodes,
@@ -286,9 +286,9 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
                                          .root = sqrt(1 - choice->damping * choice->damping)};
     p->left_out = accuracy * p->root * (1 - exp(-p->damping * piece_most_rad)) / piece_most_rad;
     const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(p->dof, nf), THUD_PIECE(p->largest, nf), THUD_PIECE(p->rates, nm),
-                 THUD_PIECE(p->modal, nm * TERMS), THUD_PIECE(p->load, nf), THUD_PIECE(p->table, nb),
-                 THUD_PIECE(p->batch, nb * nf));
+        THUD_LAY_IN(state->memory, err, THUD_PIECE(p->dof, nf), THUD_PIECE(p->largest, nf), THUD_PIECE(p->rates, nm),
+                    THUD_PIECE(p->modal, nm * TERMS), THUD_PIECE(p->load, nf), THUD_PIECE(p->table, nb),
+                    THUD_PIECE(p->batch, nb * nf));
     if (status != THUD_OK)
         return status;
     for (int f = 0; f < p->nfloors; f++) {
@@ -304,12 +304,6 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
         p->ones[k] = 1;
     memcpy(p->rates, model->qd0, nm * sizeof *p->rates);
     return THUD_OK;
-}
-
-void thud_floor_oscillators_clear(struct thud_floor_oscillators *p)
-{
-    free(p->dof);
-    *p = (struct thud_floor_oscillators){0};
 }
 
 double thud_floor_oscillators_peak(const struct thud_floor_oscillators *p, int floor, int period)

@@ -70,9 +70,8 @@ struct thud_floor_oscillators {
 
 extern const struct thud_observer thud_observe_floors;
 
-/* Errors: THUD_MEMORY; nothing stays allocated then. */
-enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *oscillators, const struct thud_model *model,
+/* Errors: THUD_MEMORY. */
+enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *oscillators, const struct thud_state *state,
                                              const struct thud_floor_spectra_choice *choice, struct thud_error *err);
-void thud_floor_oscillators_clear(struct thud_floor_oscillators *oscillators);
 /* omega^2 |y| at most, so far. */
 double thud_floor_oscillators_peak(const struct thud_floor_oscillators *oscillators, int floor, int period);

@@ -36,10 +36,11 @@ void thud_history_lay_out(struct thud_history *h)
     h->columns = h->first[THUD_HISTORY_QUANTITIES];
 }
 
-enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const struct thud_model *model,
+enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const struct thud_state *state,
                                         const struct thud_result *result, const struct thud_ledger *ledger,
                                         double step_s, double look_s, struct thud_error *err)
 {
+    const struct thud_model *model = state->model;
     *rows = (struct thud_history_rows){
         .result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s, .rest_from_s = INFINITY};
     rows->history.ndof = model->ndof;
@@ -50,16 +51,13 @@ enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const st
     rows->history.nlinks = model->nlinks;
     rows->history.weighs = model->collapses;
     thud_history_lay_out(&rows->history);
-    rows->work = calloc(3 * (size_t)model->nmodes + (size_t)model->nrows + 1, sizeof *rows->work);
-    return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    return THUD_LAY_IN(state->memory, err, THUD_PIECE(rows->work, 3 * model->nmodes + model->nrows));
 }
 
 void thud_history_rows_clear(struct thud_history_rows *rows)
 {
     free(rows->history.time_s);
     free(rows->history.value);
-    free(rows->work);
-    *rows = (struct thud_history_rows){0};
 }
 
 static double *new_row(struct thud_history *h, double time, struct thud_error *err)

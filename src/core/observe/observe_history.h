@@ -21,7 +21,7 @@ struct thud_history_rows {
 extern const struct thud_observer thud_observe_history;
 
 /* Errors: THUD_MEMORY. */
-enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const struct thud_model *model,
+enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const struct thud_state *state,
                                         const struct thud_result *result, const struct thud_ledger *ledger,
                                         double step_s, double look_s, struct thud_error *err);
 void thud_history_rows_clear(struct thud_history_rows *rows);

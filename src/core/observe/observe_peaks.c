@@ -245,31 +245,27 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
                  structures = (size_t)m->nstructures;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
     const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(peaks->per_speed, THUD_FLOOR_QUANTITIES * m->ndof),
-                 THUD_PIECE(peaks->ground, structures), THUD_PIECE(peaks->as_speed, structures),
-                 THUD_PIECE(peaks->quiet, structures), THUD_PIECE(peaks->per_force, structures * (size_t)m->nrows),
-                 THUD_PIECE(peaks->shape, 2 * (size_t)m->nshapes * stride),
-                 THUD_PIECE(peaks->modal, MODE_ROWS * stride), THUD_PIECE(peaks->value, VALUE_ROWS * stride),
-                 THUD_PIECE(peaks->series, THUD_SEGMENT_TERMS * stride), THUD_PIECE(peaks->rest, n),
-                 THUD_PIECE(peaks->acceleration, (THUD_SEGMENT_TERMS + 1) * n), THUD_PIECE(peaks->push, m->nrows),
-                 THUD_PIECE(peaks->made, stride), THUD_PIECE(peaks->row, rows), THUD_PIECE(peaks->due, rows));
+        THUD_LAY_IN(state->memory, err, THUD_PIECE(peaks->per_speed, THUD_FLOOR_QUANTITIES * m->ndof),
+                    THUD_PIECE(peaks->ground, structures), THUD_PIECE(peaks->as_speed, structures),
+                    THUD_PIECE(peaks->quiet, structures), THUD_PIECE(peaks->per_force, structures * (size_t)m->nrows),
+                    THUD_PIECE(peaks->shape, 2 * (size_t)m->nshapes * stride),
+                    THUD_PIECE(peaks->modal, MODE_ROWS * stride), THUD_PIECE(peaks->value, VALUE_ROWS * stride),
+                    THUD_PIECE(peaks->series, THUD_SEGMENT_TERMS * stride), THUD_PIECE(peaks->rest, n),
+                    THUD_PIECE(peaks->acceleration, (THUD_SEGMENT_TERMS + 1) * n), THUD_PIECE(peaks->push, m->nrows),
+                    THUD_PIECE(peaks->made, stride), THUD_PIECE(peaks->row, rows), THUD_PIECE(peaks->due, rows));
     if (status != THUD_OK)
         return status;
     peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper); /* large: not to be cleared */
-    if (!peaks->upper) {
-        thud_peaks_clear(peaks);
+    if (!peaks->upper)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
     fill_shapes(peaks, m);
     thud_response_bound_fill(peaks, state);
-    return state->locates ? THUD_OK
-                          : thud_end_peaks_init(&peaks->of_ends, m, peaks->shape, peaks->stride, peaks->per_speed, err);
+    return state->locates
+               ? THUD_OK
+               : thud_end_peaks_init(&peaks->of_ends, state, peaks->shape, peaks->stride, peaks->per_speed, err);
 }
 
 void thud_peaks_clear(struct thud_peaks *peaks)
 {
-    free(peaks->per_speed);
     free(peaks->upper);
-    thud_end_peaks_clear(&peaks->of_ends);
-    *peaks = (struct thud_peaks){0};
 }

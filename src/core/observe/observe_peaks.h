@@ -62,7 +62,7 @@ int thud_peak_row_intervals(const struct thud_model *model, struct thud_free_vib
 
 extern const struct thud_observer thud_observe_peaks;
 
-/* Errors: THUD_MEMORY; nothing stays allocated then. */
+/* Errors: THUD_MEMORY. */
 enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
                                  struct thud_error *err);
 void thud_peaks_clear(struct thud_peaks *peaks);

@@ -3,7 +3,6 @@
 #include "core/observe/observe_relative.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -156,15 +155,9 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
 
 const struct thud_observer thud_observe_relative = {.segment = segment, .block = block};
 
-enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_model *model,
+enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_state *state,
                                     struct thud_error *err)
 {
-    const int n = 2 * model->ncontacts;
-    return THUD_LAY(err, THUD_PIECE(relative->largest_m, n), THUD_PIECE(relative->due, n * BLOCK));
-}
-
-void thud_relative_clear(struct thud_relative *relative)
-{
-    free(relative->largest_m);
-    *relative = (struct thud_relative){0};
+    const int n = 2 * state->model->ncontacts;
+    return THUD_LAY_IN(state->memory, err, THUD_PIECE(relative->largest_m, n), THUD_PIECE(relative->due, n * BLOCK));
 }

@@ -11,7 +11,6 @@ struct thud_relative {
 
 extern const struct thud_observer thud_observe_relative; /* its own: a struct thud_relative */
 
-/* All 0. Errors: THUD_MEMORY; nothing stays allocated then. */
-enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_model *model,
+/* All 0. Errors: THUD_MEMORY. */
+enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_state *state,
                                     struct thud_error *err);
-void thud_relative_clear(struct thud_relative *relative);

@@ -2,8 +2,6 @@
  * by interval, and nothing is left out behind the last contact. */
 #include "core/observe/observe_steps.h"
 
-#include <stdlib.h>
-
 #include "core/model/step_watch.h"
 
 /* Floor values of modal ones, without the motions of foundations. */
@@ -43,17 +41,10 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 
 const struct thud_observer thud_observe_steps = {.segment = segment};
 
-enum thud_status thud_steps_init(struct thud_steps *steps, const struct thud_model *model,
+enum thud_status thud_steps_init(struct thud_steps *steps, const struct thud_state *state,
                                  const struct thud_step_watch *watch, struct thud_error *err)
 {
-    const int n = model->nrows + model->nmodes + 3 * model->ndof + model->npairs;
+    const struct thud_model *m = state->model;
     steps->watch = watch;
-    steps->room = calloc((size_t)n + 1, sizeof *steps->room);
-    return steps->room ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
-}
-
-void thud_steps_clear(struct thud_steps *steps)
-{
-    free(steps->room);
-    steps->room = NULL;
+    return THUD_LAY_IN(state->memory, err, THUD_PIECE(steps->room, m->nrows + m->nmodes + 3 * m->ndof + m->npairs));
 }

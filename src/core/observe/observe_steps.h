@@ -12,6 +12,5 @@ struct thud_steps {
 extern const struct thud_observer thud_observe_steps; /* its own: a struct thud_steps */
 
 /* Errors: THUD_MEMORY. */
-enum thud_status thud_steps_init(struct thud_steps *steps, const struct thud_model *model,
+enum thud_status thud_steps_init(struct thud_steps *steps, const struct thud_state *state,
                                  const struct thud_step_watch *watch, struct thud_error *err);
-void thud_steps_clear(struct thud_steps *steps);

@@ -1,7 +1,6 @@
 #include "core/observe/observe_sums.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/arena.h"
 #include "base/largest.h"
@@ -302,13 +301,14 @@ static void add_link(struct thud_sums *sums, const struct thud_model *m, int lin
         force->limit = m->storey[p->storey].stiffness_npm * m->storey[p->storey].yield_m;
 }
 
-enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_model *m, struct thud_result *result,
+enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_state *state, struct thud_result *result,
                                 struct thud_error *err)
 {
+    const struct thud_model *m = state->model;
     const int most = 2 * m->ndof + m->nstructures + THUD_COLUMN_QUANTITIES * m->ncolumns + 2 * m->nlinks;
     struct thud_sum_force *next;
-    const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(sums->sum, most), THUD_PIECE(next, (size_t)most * (size_t)m->nrows + 1));
+    const enum thud_status status = THUD_LAY_IN(state->memory, err, THUD_PIECE(sums->sum, most),
+                                                THUD_PIECE(next, (size_t)most * (size_t)m->nrows + 1));
     if (status != THUD_OK)
         return status;
     for (int i = 0; i < m->ncolumns; i++)
@@ -320,12 +320,6 @@ enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_model 
     for (int i = 0; i < sums->count; i++)
         next = add_forces(m, &sums->sum[i], next);
     return THUD_OK;
-}
-
-void thud_sums_clear(struct thud_sums *sums)
-{
-    free(sums->sum);
-    *sums = (struct thud_sums){0};
 }
 
 void thud_links_finish(const struct thud_state *state, struct thud_result *result)

@@ -33,8 +33,7 @@ struct thud_sums {
 extern const struct thud_observer thud_observe_sums;
 
 /* Errors: THUD_MEMORY. */
-enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_model *model, struct thud_result *result,
+enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_state *state, struct thud_result *result,
                                 struct thud_error *err);
-void thud_sums_clear(struct thud_sums *sums);
 /* At the end of a run: the links that are contacts, and what those of friction have lost. */
 void thud_links_finish(const struct thud_state *state, struct thud_result *result);

@@ -115,7 +115,7 @@ static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_
 {
     baseline->model = *model;
     baseline->model.contact = calloc((size_t)model->nrows + 1, sizeof *model->contact);
-    if (!baseline->model.contact || thud_relative_init(&baseline->relative, model, NULL) != THUD_OK)
+    if (!baseline->model.contact)
         return false;
     for (int c = 0; c < model->nrows; c++)
         baseline->model.contact[c] = model->contact[c];
@@ -146,6 +146,8 @@ enum thud_status thud_baseline_create(const struct thud_model *model, int open, 
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");
     }
+    if (status == THUD_OK)
+        status = thud_relative_init(&baseline->relative, &baseline->run->state, err);
     if (status == THUD_OK) {
         thud_run_observe(baseline->run, &thud_observe_relative, &baseline->relative);
         baseline->shares =
@@ -171,7 +173,6 @@ void thud_baseline_free(struct thud_baseline_motion *baseline)
     thud_run_free(baseline->run);
     thud_early_end_free(baseline->early_end);
     free(baseline->model.contact);
-    thud_relative_clear(&baseline->relative);
     free(baseline);
 }
 

@@ -36,6 +36,7 @@ struct thud_run {
     struct thud_free_vibration *free_vibration; /* NULL: the method goes through the contact-free response too */
     const struct thud_early_end *early_end;     /* of the motion without contact; NULL: not known */
 
+    struct thud_blocks memory; /* of all below whose size the model decides */
     struct thud_state state;
     struct thud_segment seg; /* proposed */
     double *end;             /* (2 x nmodes) q, q' where it is taken to */

@@ -38,11 +38,11 @@ static enum thud_status allocate_result(struct thud_run *run, struct thud_error 
     struct thud_floor_result *floor;
     double *period_s;
     const enum thud_status status =
-        THUD_LAY(err, THUD_PIECE(r->structure, m->nstructures), THUD_PIECE(r->contact, m->ncontacts),
-                 THUD_PIECE(r->column, m->ncolumns), THUD_PIECE(r->link, m->nlinks),
-                 THUD_PIECE(storey, m->nstoreys > m->nslips ? m->ndof : 0), THUD_PIECE(floor, m->ndof),
-                 THUD_PIECE(period_s, m->ndof), THUD_PIECE(run->end, 2 * m->nmodes),
-                 THUD_PIECE(run->contact_work, m->ncontacts));
+        THUD_LAY_IN(&run->memory, err, THUD_PIECE(r->structure, m->nstructures), THUD_PIECE(r->contact, m->ncontacts),
+                    THUD_PIECE(r->column, m->ncolumns), THUD_PIECE(r->link, m->nlinks),
+                    THUD_PIECE(storey, m->nstoreys > m->nslips ? m->ndof : 0), THUD_PIECE(floor, m->ndof),
+                    THUD_PIECE(period_s, m->ndof), THUD_PIECE(run->end, 2 * m->nmodes),
+                    THUD_PIECE(run->contact_work, m->ncontacts));
     if (status != THUD_OK)
         return status;
     r->nstructures = m->nstructures;
@@ -154,14 +154,13 @@ static void set_step(struct thud_run *run)
 static enum thud_status prepare(struct thud_run *run, const struct thud_model *model, const struct thud_record *record,
                                 struct thud_error *err)
 {
-    enum thud_status status = thud_state_init(&run->state, model, record, &run->work, err);
+    enum thud_status status = thud_state_init(&run->state, model, record, &run->work, &run->memory, err);
     if (status == THUD_OK)
-        status = thud_segment_init(&run->seg, model, err);
+        status = thud_segment_init(&run->seg, &run->state, err);
     if (status == THUD_OK)
         status = allocate_result(run, err);
     if (status == THUD_OK)
-        status =
-            thud_contact_log_init(&run->log, run->result.contact, model->ncontacts, run->options.keep_impacts, err);
+        status = thud_contact_log_init(&run->log, &run->state, run->result.contact, run->options.keep_impacts, err);
     run->log.keep_events = run->options.keep_events;
     return status;
 }
@@ -186,29 +185,28 @@ static void set_rest_rows(struct thud_run *run)
 /* The peaks first: rows of a history stand at them, with the energies up to the segment. */
 static enum thud_status create_observers(struct thud_run *run, struct thud_error *err)
 {
-    const struct thud_model *m = run->state.model;
     enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, err);
     thud_run_observe(run, &thud_observe_peaks, &run->peaks);
     thud_run_observe(run, &thud_observe_contacts, &run->log);
     if (status == THUD_OK)
-        status = thud_sums_init(&run->sums, m, &run->result, err);
+        status = thud_sums_init(&run->sums, &run->state, &run->result, err);
     if (run->sums.count > 0)
         thud_run_observe(run, &thud_observe_sums, &run->sums);
     if (status == THUD_OK && run->options.keep_history) {
-        status = thud_history_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
-                                        run->options.history_look_s, err);
+        status = thud_history_rows_init(&run->rows, &run->state, &run->result, &run->ledger,
+                                        run->options.history_step_s, run->options.history_look_s, err);
         set_rest_rows(run);
         thud_run_observe(run, &thud_observe_history, &run->rows);
     }
     if (status == THUD_OK)
-        status = thud_ledger_init(&run->ledger, m, &run->log, thud_run_balance(run), err);
+        status = thud_ledger_init(&run->ledger, &run->state, &run->log, thud_run_balance(run), err);
     thud_run_observe(run, &thud_observe_energy, &run->ledger);
     if (status == THUD_OK && run->options.floor_spectra) {
-        status = thud_floor_oscillators_init(&run->floors, m, run->options.floor_spectra, err);
+        status = thud_floor_oscillators_init(&run->floors, &run->state, run->options.floor_spectra, err);
         thud_run_observe(run, &thud_observe_floors, &run->floors);
     }
     if (status == THUD_OK && run->options.watch) {
-        status = thud_steps_init(&run->steps, m, run->options.watch, err);
+        status = thud_steps_init(&run->steps, &run->state, run->options.watch, err);
         thud_run_observe(run, &thud_observe_steps, &run->steps);
     }
     return status;
@@ -274,19 +272,10 @@ void thud_run_free(struct thud_run *run)
 {
     if (!run)
         return;
-    if (run->own)
-        run->method->stepper->free(run->own);
-    thud_free_vibration_free(run->free_vibration);
-    thud_segment_clear(&run->seg);
-    thud_state_clear(&run->state);
     thud_contact_log_clear(&run->log);
     thud_peaks_clear(&run->peaks);
-    thud_sums_clear(&run->sums);
     thud_history_rows_clear(&run->rows);
-    thud_ledger_clear(&run->ledger);
-    thud_floor_oscillators_clear(&run->floors);
-    thud_steps_clear(&run->steps);
-    free(run->result.structure);
+    thud_blocks_free(&run->memory);
     free(run);
 }
 
