@@ -75,8 +75,8 @@ enum thud_status thud_contact_log_event(struct thud_contact_log *log, const stru
     const bool falls = event == THUD_EVENT_COLLAPSE; /* its row is beyond those that have a force */
     log->event[log->nevents++] = (struct thud_event_entry){.time_s = time_s,
                                                            .row = row,
-                                                           .event = thud_event_name(event),
-                                                           .guard = thud_event_guard(event),
+                                                           .event = thud_event_words[event].name,
+                                                           .guard = thud_event_words[event].guard,
                                                            .then = falls ? "collapsed" : state_of(state, row),
                                                            .order = order,
                                                            .force_n = falls ? 0 : force_of(state, row)};

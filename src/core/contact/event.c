@@ -4,7 +4,6 @@
  * at 0: that many of its lowest coefficients are taken as 0 (struct thud_suppressed), else rounding would decide. */
 #include "core/contact/event.h"
 
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -45,9 +44,7 @@ static const struct guards {
     [THUD_STICKING] = {2, {{CONSTRAINT_LOW, -1, THUD_EVENT_UNSTICK_OUT}, {CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN}}},
 };
 
-static const struct {
-    const char *name, *guard;
-} words[] = {
+const struct thud_event_words thud_event_words[] = {
     [THUD_EVENT_ONSET] = {"onset", "d rises"},
     [THUD_EVENT_SEPARATION] = {"separation", "d falls"},
     [THUD_EVENT_RELEASE] = {"release", "F falls"},
@@ -61,18 +58,6 @@ static const struct {
     [THUD_EVENT_UNLOAD] = {"unload", "d' turns"},
     [THUD_EVENT_COLLAPSE] = {"collapse", "|d| - h/10 rises"},
 };
-
-const char *thud_event_name(enum thud_event event)
-{
-    assert(event >= 0 && (size_t)event < sizeof words / sizeof *words);
-    return words[event].name;
-}
-
-const char *thud_event_guard(enum thud_event event)
-{
-    assert(event >= 0 && (size_t)event < sizeof words / sizeof *words);
-    return words[event].guard;
-}
 
 /* A contact in the segment at hand. */
 struct view {

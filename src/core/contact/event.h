@@ -19,9 +19,10 @@ enum thud_event {
     THUD_EVENT_COLLAPSE /* the drift of a storey comes to what it can stand: the run ends */
 };
 
-/* "onset", "reversal", ...; and what its guard watches: "d rises", ... */
-const char *thud_event_name(enum thud_event event);
-const char *thud_event_guard(enum thud_event event);
+/* By event: "onset", "reversal", ...; and what its guard watches: "d rises", ... */
+extern const struct thud_event_words {
+    const char *name, *guard;
+} thud_event_words[];
 
 /* s of the earliest event in [0, s_end] of the segment, with its row (a contact, or a storey that yields; of a collapse the number of
  * rows and the floor above the storey), what it is,
