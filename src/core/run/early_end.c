@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/grow.h"
 #include "base/largest.h"
 #include "core/model/element.h"
@@ -31,21 +32,14 @@ struct thud_early_end *thud_early_end_create(const struct thud_model *model)
 {
     if (model->traits & (THUD_SLIPS | THUD_UNKEPT))
         return NULL;
-    struct thud_early_end *h = calloc(1, sizeof *h);
-    if (!h)
+    struct thud_early_end *h, to = {.n = model->nmodes, .floors = model->ndof, .nc = model->ncontacts};
+    if (THUD_LAY(NULL, THUD_PIECE(h, 1), THUD_PIECE(to.end, 2 * to.n)) != THUD_OK)
         return NULL;
-    h->n = model->nmodes;
-    h->floors = model->ndof;
-    h->nc = model->ncontacts;
-    h->row = 2 * h->n + THUD_FLOOR_QUANTITIES * h->floors + h->nc;
-    h->end = calloc(2 * (size_t)h->n + 1, sizeof *h->end);
-    h->failed = model->couples; /* a mode's difference does not decay alone */
-    for (int j = 0; j < h->n; j++)
-        h->failed = h->failed || !(model->omega[j] > 0); /* a free body's difference does not decay */
-    if (!h->end) {
-        free(h);
-        return NULL;
-    }
+    to.row = 2 * to.n + THUD_FLOOR_QUANTITIES * to.floors + to.nc;
+    to.failed = model->couples; /* a mode's difference does not decay alone */
+    for (int j = 0; j < to.n; j++)
+        to.failed = to.failed || !(model->omega[j] > 0); /* a free body's difference does not decay */
+    *h = to;
     return h;
 }
 
@@ -54,7 +48,6 @@ void thud_early_end_free(struct thud_early_end *early_end)
     if (!early_end)
         return;
     free(early_end->block);
-    free(early_end->end);
     free(early_end);
 }
 
