@@ -780,18 +780,17 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
                                    struct thud_error *err)
 {
     struct thud_arena arena = {0};
-    const size_t structures = (size_t)input->nstructures;
+    int *system;
+    bool *tied;
     *out = NULL;
-    int *system = calloc(structures + 1, sizeof *system);
-    bool *tied = calloc(structures + 1, sizeof *tied);
-    struct thud_model *m = NULL;
-    if (system && tied) {
-        thud_tie_systems(input, system, tied);
-        m = lay_out(input, system, tied, &arena);
-    }
-    enum thud_status status = m ? fill(m, &arena, input, tied, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status =
+        THUD_LAY(err, THUD_PIECE(system, input->nstructures), THUD_PIECE(tied, input->nstructures));
+    if (status != THUD_OK)
+        return status;
+    thud_tie_systems(input, system, tied);
+    struct thud_model *m = lay_out(input, system, tied, &arena);
+    status = m ? fill(m, &arena, input, tied, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
     free(system);
-    free(tied);
     if (status != THUD_OK)
         free(m);
     else
