@@ -12,7 +12,7 @@ enum { TERMS = 8, POINTS = 5 };
 
 size_t thud_motion_size(const struct thud_model *model)
 {
-    return THUD_MOTION_VECTORS * (size_t)model->nmodes + (size_t)model->nrows;
+    return 3 * (size_t)model->nmodes + (size_t)model->nrows;
 }
 
 double *thud_motion_place(struct thud_motion *motion, const struct thud_model *model, double *block)

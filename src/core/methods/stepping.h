@@ -4,10 +4,7 @@
 
 #include "core/contact/segment.h"
 
-/* struct thud_motion of segment.h is one block of a method's own. */
-enum { THUD_MOTION_VECTORS = 3 };
-
-/* Doubles that a motion needs, and their distribution; returns what comes after. */
+/* Doubles that a motion of segment.h needs, and their distribution; returns what comes after. */
 size_t thud_motion_size(const struct thud_model *model);
 double *thud_motion_place(struct thud_motion *motion, const struct thud_model *model, double *block);
 /* The same as pieces of a block (base/arena.h) that begins with its q. */
