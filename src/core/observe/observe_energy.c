@@ -22,15 +22,15 @@ static const double far_rad = 2.1; /* what a piece may turn by with those points
  * by those that leave rounding alone; the rates at both ends of the piece are known. */
 
 /* Adds up over the modes, two at a time, and the points of a quadrature: *loss the sum of D rate^2 but what couples modes,
- * *drive that of gamma a_g rate; rates, (points x nmodes) those at the points but the ends, in units of the segment's
- * length. */
+ * *drive that of gamma a_g rate; rates, (nmodes x apart) those at the points and then the two ends, in units of the
+ * segment's length. */
 static inline void add_modes(const struct thud_observation *o, const struct thud_lobatto *by,
                              const struct thud_rate_powers *power, const int points, double *rates, double *loss,
                              double *drive)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
-    const int n = m->nmodes;
+    const int n = m->nmodes, apart = points + 2 + points % 2;
     thud_vec2 all_loss = {0, 0}, all_drive = {0, 0}, part[THUD_SEGMENT_TERMS]; /* s^(k - 1) */
     part[1] = thud_vec2_set(1, 1);
     for (int k = 2; k < seg->terms; k++)
@@ -50,8 +50,13 @@ static inline void add_modes(const struct thud_observation *o, const struct thud
             const thud_vec2 weighed = by->weight[i] * rate[i];
             square += weighed * rate[i];
             driven += (seg->a0 + seg->a1 * o->s * by->node[i]) * weighed;
-            if (m->couples)
-                thud_vec2_put_some(rate[i], rates + i * n + j, single);
+        }
+        for (int k = 0; k < 2 && m->couples; k++) {
+            double *row = rates + (j + k) * apart;
+            for (int i = 0; i < points; i++)
+                row[i] = rate[i][k];
+            row[points] = start[k];
+            row[points + 1] = end[k];
         }
         all_loss += thud_vec2_some(m->dashpot + j, single) * square;
         all_drive += thud_vec2_some(m->gamma + j, single) * driven;
@@ -60,15 +65,24 @@ static inline void add_modes(const struct thud_observation *o, const struct thud
     *drive = thud_vec2_sum(all_drive);
 }
 
-/* Loss by the part of damping that couples modes, at these rates. */
-static double coupled_loss(const struct thud_model *m, const double *rate)
+/* The same of the part of damping that couples modes, at those rates: the sum of rate^T D rate, D symmetric. */
+static double coupled_loss(const struct thud_model *m, const struct thud_lobatto *by, const double *rates)
 {
-    double loss = 0;
+    const int points = by->inner + 2, apart = points + points % 2;
+    double loss = 0, weight[THUD_LOBATTO_INNER + 2], sum[THUD_LOBATTO_INNER + 2];
+    for (int i = 0; i < points; i++)
+        weight[i] = i < by->inner ? by->weight[i] : by->end_weight;
     for (int s = 0; s < m->nsystems; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
-        const double *of = rate + p->first_mode;
-        for (int i = 0; p->damping && i < p->modes; i++)
-            loss += of[i] * thud_dot(p->modes, p->damping + i * p->modes, of);
+        const double *first = rates + p->first_mode * apart, *rate = first, *row = p->damping;
+        for (int i = 0; p->damping && i < p->modes; i++, rate += apart, row += p->modes) {
+            for (int k = 0; k < apart; k++)
+                sum[k] = row[i] * rate[k];
+            thud_add_rows(apart, i, 2, row, first, sum);
+            for (int k = 0; k < points; k++)
+                sum[k] *= weight[k];
+            loss += thud_dot(points, rate, sum);
+        }
     }
     return loss;
 }
@@ -90,14 +104,12 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
         add_modes(o, by, power, 3, l->rates, &loss, &drive);
     else if (by->inner == 5)
         add_modes(o, by, power, 5, l->rates, &loss, &drive);
-    else if (!far)
+    else if (by->inner == 8)
         add_modes(o, by, power, 8, l->rates, &loss, &drive);
     else
-        add_modes(o, by, power, by->inner, l->rates, &loss, &drive);
-    for (int i = 0; i < by->inner && m->couples; i++)
-        loss += by->weight[i] * coupled_loss(m, l->rates + i * m->nmodes);
+        add_modes(o, by, power, THUD_LOBATTO_INNER, l->rates, &loss, &drive);
     if (m->couples)
-        loss += by->end_weight * (coupled_loss(m, seg->q + m->nmodes) + seg->h_s * seg->h_s * coupled_loss(m, o->qd));
+        loss += coupled_loss(m, by, l->rates);
     *input_j = -o->s * drive;
     *viscous_j = o->s / seg->h_s * loss;
 }
@@ -253,9 +265,10 @@ enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_
                                   const struct thud_contact_log *log, double limit, struct thud_error *err)
 {
     *ledger = (struct thud_ledger){.log = log, .limit = limit};
-    const enum thud_status status = THUD_LAY_IN(state->memory, err, THUD_PIECE(ledger->power, THUD_LOBATTO_RULES),
-                                                THUD_PIECE(ledger->rates, THUD_LOBATTO_INNER * state->model->nmodes),
-                                                THUD_PIECE(ledger->work, state->model->ncontacts));
+    const enum thud_status status =
+        THUD_LAY_IN(state->memory, err, THUD_PIECE(ledger->power, THUD_LOBATTO_RULES),
+                    THUD_PIECE(ledger->rates, (THUD_LOBATTO_INNER + 2) * (state->model->nmodes + 1)),
+                    THUD_PIECE(ledger->work, state->model->ncontacts));
     for (int rule = 0; rule < THUD_LOBATTO_RULES && status == THUD_OK; rule++)
         for (int i = 0; i < thud_lobatto[rule].inner; i++) {
             double x = 1;

@@ -21,7 +21,7 @@ struct thud_ledger {
     struct thud_energy balance;
     int looks;
     struct thud_rate_powers *power; /* (THUD_LOBATTO_RULES) */
-    double *rates;                  /* (THUD_LOBATTO_INNER x nmodes) workspace */
+    double *rates;                  /* (nmodes + 1 x THUD_LOBATTO_INNER + 2) workspace */
     struct thud_contact_work *work; /* (ncontacts) the same */
 };
 
