@@ -298,31 +298,41 @@ struct folded {
     double spring[DENSE_MOST * DENSE_MOST], dashpot[DENSE_MOST * DENSE_MOST]; /* sum k g g^T; D + sum c g g^T */
 };
 
-/* Of n modes from `first` on that damping couples, the orders from k + 2 on, where there are no loads. The two orders
- * that the next one needs stay in registers, as n is a constant; folded may be NULL. */
+/* Of n modes from `first` on that damping couples, the orders from k + 2 on, where there are no loads, as r = k! q_k over
+ * what that factorial is of the first:
+ *     r_k+2 = -h^2 Omega^2 r_k - h D r_k+1
+ * The two that the next one needs stay in registers, as n is a constant, and sums are short, as each order waits for the
+ * one before. folded may be NULL. */
 static inline void dense_orders(const struct thud_model *m, const struct thud_segment *seg, int first, int k,
                                 const int n, const double *folded, const double *damping)
 {
-    double *next = seg->q + k * m->nmodes + first;
-    thud_vec2 q[DENSE_MOST / 2], q1[DENSE_MOST / 2];
+    double *next = seg->q + k * m->nmodes + first, factor = 1.0 / (k + 1), by_r1[DENSE_MOST * DENSE_MOST];
+    const double h = seg->h_s;
+    thud_vec2 r[DENSE_MOST / 2], r1[DENSE_MOST / 2];
+    for (int i = 0; i < n * n; i++)
+        by_r1[i] = -h * damping[i];
     for (int i = 0; i < n; i += 2) {
-        q[i / 2] = thud_vec2_some(next + i, i + 1 == n);
-        q1[i / 2] = thud_vec2_some(next + m->nmodes + i, i + 1 == n);
+        r[i / 2] = thud_vec2_some(next + i, i + 1 == n);
+        r1[i / 2] = (k + 1) * thud_vec2_some(next + m->nmodes + i, i + 1 == n);
     }
     for (next += 2 * m->nmodes; k + 2 < seg->terms; k++, next += m->nmodes) {
-        const double by_q = load_factor(seg, k), by_q1 = -seg->h_s / (k + 2);
-        thud_vec2 spring[DENSE_MOST / 2] = {0}, dashpot[DENSE_MOST / 2] = {0};
-        for (int j = 0; j < n; j++)
-            for (int i = 0; i < n; i += 2) {
-                if (folded)
-                    spring[i / 2] += q[j / 2][j % 2] * thud_vec2_some(folded + j * n + i, i + 1 == n);
-                dashpot[i / 2] += q1[j / 2][j % 2] * thud_vec2_some(damping + j * n + i, i + 1 == n);
-            }
+        thud_vec2 sum[2][DENSE_MOST / 2] = {0};
+        factor /= k + 2;
+        for (int i = 0; i < n; i += 2)
+            sum[0][i / 2] = thud_vec2_some(m->spring + first + i, i + 1 == n) * r[i / 2];
+        for (int j = 0; j < n && folded; j++)
+            for (int i = 0; i < n; i += 2)
+                sum[0][i / 2] += r[j / 2][j % 2] * thud_vec2_some(folded + j * n + i, i + 1 == n);
         for (int i = 0; i < n; i += 2) {
-            spring[i / 2] += thud_vec2_some(m->spring + first + i, i + 1 == n) * q[i / 2];
-            q[i / 2] = q1[i / 2];
-            q1[i / 2] = by_q * spring[i / 2] + by_q1 * dashpot[i / 2];
-            thud_vec2_put_some(q1[i / 2], next + i, i + 1 == n);
+            sum[0][i / 2] *= -h * h;
+            r[i / 2] = r1[i / 2];
+        }
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i += 2)
+                sum[j % 2][i / 2] += r1[j / 2][j % 2] * thud_vec2_some(by_r1 + j * n + i, i + 1 == n);
+        for (int i = 0; i < n; i += 2) {
+            r1[i / 2] = sum[0][i / 2] + sum[1][i / 2];
+            thud_vec2_put_some(factor * r1[i / 2], next + i, i + 1 == n);
         }
     }
 }
@@ -438,42 +448,47 @@ static bool fold_row(const struct thud_state *state, int c, struct folded *to)
     const struct thud_model *m = state->model;
     int structure[2] = {0}, systems = thud_model_row_structures(m, c, structure);
     const struct thud_model_structure *p = &m->structure[structure[0]];
+    const struct thud_branch *branch = thud_row_branch(state, c);
     const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes + p->first_mode;
     if (thud_row_sticks(state, c) || systems > 1 || (to->system >= 0 && to->system != p->system) || !p->damping ||
         p->modes > DENSE_MOST)
         return false;
-    if (to->system < 0)
+    if (to->system < 0) {
         memcpy(to->dashpot, p->damping, (size_t)(p->modes * p->modes) * sizeof *to->dashpot);
-    to->system = p->system;
-    for (int j = 0; j < p->modes * p->modes; j++) {
-        const double gg = g[j / p->modes] * g[j % p->modes];
-        to->spring[j] += thud_row_branch(state, c)->k_npm * gg;
-        to->dashpot[j] += thud_row_branch(state, c)->c_nspm * gg;
+        memset(to->spring, 0, (size_t)(p->modes * p->modes) * sizeof *to->spring);
     }
+    to->system = p->system;
+    for (int i = 0; i < p->modes; i++)
+        for (int j = 0; j < p->modes; j++) {
+            to->spring[i * p->modes + j] += branch->k_npm * g[i] * g[j];
+            to->dashpot[i * p->modes + j] += branch->c_nspm * g[i] * g[j];
+        }
     return true;
 }
 
 /* Forces from order 2 on of the rows that act, by the modes. */
 static void read_forces(const struct thud_state *state, struct thud_segment *seg)
 {
+    const int nrows = state->model->nrows;
     for (int i = 0; i < seg->rows; i++) {
         const int c = seg->row[i];
         const struct thud_branch *branch = thud_row_branch(state, c);
+        const double by_rate = branch->c_nspm / seg->h_s;
         double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS;
         if (!thud_row_by_branch(state, c))
             continue;
         thud_segment_indentation(state, seg, c, d);
         for (int k = 2; k < seg->terms; k++)
-            seg->force[k * state->model->nrows + c] =
-                branch->k_npm * d[k] + (k + 1 < seg->terms ? branch->c_nspm * (k + 1) / seg->h_s * d[k + 1] : 0);
+            seg->force[k * nrows + c] = branch->k_npm * d[k] + (k + 1 < seg->terms ? by_rate * (k + 1) * d[k + 1] : 0);
     }
 }
 
 static void linear_series(const struct thud_state *state, struct thud_segment *seg, const struct slice *of,
                           bool sticking, const double *q, const double *qd)
 {
-    struct folded folded = {.system = -1};
+    struct folded folded; /* large: what is not used stays as it is */
     bool folds = true;
+    folded.system = -1;
     for (int i = 0; i < seg->rows && folds; i++)
         folds = !thud_row_acts(state, seg->row[i]) || fold_row(state, seg->row[i], &folded);
     first_terms(state->model, seg, of, q, qd);
