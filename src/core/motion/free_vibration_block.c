@@ -190,15 +190,13 @@ void thud_free_vibration_spring(const struct thud_free_vibration *f, const struc
     const struct thud_coupled_motion *c = thud_free_vibration_motion(f, p->system);
     if (p->damping)
         all_rows(p->damping, p->modes, p->modes, v + p->first_mode * ENDS, f->ends, out + p->first_mode * ENDS);
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        const double s = p->damping ? 0 : f->shift[j], spring = m->spring[j], dashpot = m->dashpot[j];
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
         for (int t = j * ENDS; t < j * ENDS + f->ends; t += 2) { /* rows are long enough */
-            thud_vec2 sum = spring * (thud_vec2_at(x + t) - s) + dashpot * thud_vec2_at(v + t);
-            if (p->damping)
-                sum += thud_vec2_at(out + t);
-            thud_vec2_put(-sum, out + t);
+            const thud_vec2 place = thud_vec2_at(x + t);
+            thud_vec2_put(p->damping ? -(m->spring[j] * place + thud_vec2_at(out + t)) /* no dashpots of single modes */
+                                     : -(m->spring[j] * (place - f->shift[j]) + m->dashpot[j] * thud_vec2_at(v + t)),
+                          out + t);
         }
-    }
     if (c->soft)
         soften(f, c, x, out);
 }

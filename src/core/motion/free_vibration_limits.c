@@ -64,13 +64,14 @@ static double make_bound(struct thud_free_vibration *f, const struct thud_model 
     const double level = k == 2, slopes = k == 3 ? 1 / f->dt_s : 0; /* how the ground enters */
     const double *x = k == 2 ? f->moved : k == 3 ? f->qd : f->work[(k - 2) % 3];
     const double *v = k == 2 ? f->qd : f->work[(k - 1) % 3];
-    double *out = f->work[k % 3], norm[ENDS] = {0}, *force = k == 2 ? f->acceleration : out;
+    double *out = f->work[k % 3], norm[ENDS] = {0}, ground[ENDS], *force = k == 2 ? f->acceleration : out;
     thud_free_vibration_spring(f, m, p, x, v, force);
+    for (int t = 0; t < f->ends; t++)
+        ground[t] = level * f->ground[t] + slopes * (f->after[t] - f->ground[t]);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
         for (int t = 0; t < intervals; t += 2) {
-            const thud_vec2 a0 = thud_vec2_at(f->ground + t), rate = thud_vec2_at(v + j * ENDS + t),
-                            ground = level * a0 + slopes * (thud_vec2_at(f->after + t) - a0),
-                            second = thud_vec2_at(force + j * ENDS + t) - m->gamma[j] * ground;
+            const thud_vec2 rate = thud_vec2_at(v + j * ENDS + t),
+                            second = thud_vec2_at(force + j * ENDS + t) - m->gamma[j] * thud_vec2_at(ground + t);
             thud_vec2_put(second, out + j * ENDS + t);
             thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
         }
