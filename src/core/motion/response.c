@@ -228,11 +228,11 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
     }
 }
 
-/* r0 x_0 + rise x_1 of all modes, by the loads of row c, into x->unforced. */
-static void move_modes(struct thud_responses *x, const struct level *level, int c)
+/* r0 x_0 + rise x_1 of all modes, which no damping couples, into x->unforced. */
+static void move_modes(struct thud_responses *x, const struct level *level)
 {
     const int points = x->points, n = x->model->nmodes;
-    const thud_vec2 *table = load_of(x, level, c)->start, *rising = table + n * points;
+    const thud_vec2 *table = level->load->start, *rising = table + n * points;
     thud_vec2 *restrict out = x->unforced;
     for (int j = 0; j < n; j++) {
         const double start = x->at_start[j], rise = x->rise[j];
@@ -247,11 +247,15 @@ void thud_responses_unforced(struct thud_responses *x, const struct thud_state *
     const struct thud_model *m = x->model;
     const double h = ldexp(x->h_top, -at);
     find_loads(x, state, h);
+    if (!m->couples)
+        move_modes(x, &x->level[at]);
     for (int a = 0; a < n; a++, start += x->points, out += x->points) {
-        if (a == 0 || m->couples)
-            move_modes(x, &x->level[at], contact[a]);
+        const thud_vec2 *table = load_of(x, &x->level[at], contact[a])->start;
         for (int i = 0; i < x->points; i++)
             out[i] = thud_vec2_set(start[0][0] + start[0][1] * h * x->point[i], start[0][1]);
-        sum_modes(x, contact[a], m->couples ? x->ones : m->jacobian + contact[a] * m->nmodes, x->unforced, out);
+        if (m->couples)
+            sum_modes(x, contact[a], x->rise, table + m->nmodes * x->points, out);
+        sum_modes(x, contact[a], m->couples ? x->at_start : m->jacobian + contact[a] * m->nmodes,
+                  m->couples ? table : x->unforced, out);
     }
 }
