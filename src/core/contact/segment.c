@@ -290,6 +290,21 @@ double thud_segment_tail(const struct thud_segment *seg, const struct thud_model
     return tail;
 }
 
+void thud_segment_trim(struct thud_segment *seg, const struct thud_model *model, double least)
+{
+    const int n = model->nmodes;
+    int terms = THUD_SEGMENT_TERMS_LEAST;
+    for (int s = 0; s < model->nsystems; s++) {
+        const struct thud_model_structure *p = &model->structure[model->system[s]];
+        const double *q = seg->q + p->first_mode, most = least * 2 * thud_largest_size(q + 2 * n, p->modes);
+        int k = seg->terms;
+        while (k > terms && (k - 1) * (k - 2) * thud_largest_size(q + (k - 1) * n, p->modes) <= most)
+            k--;
+        terms = k > terms ? k : terms;
+    }
+    seg->terms = terms;
+}
+
 enum { DENSE_MOST = 8 }; /* modes of a system whose orders are made in registers */
 
 /* A system's matrices with its rows that act, whose forces are no loads then. */

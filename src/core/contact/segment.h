@@ -97,6 +97,9 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
 /* Size of the last terms over the largest, of the structure where it is worst: one may move by a micrometre beside another that
  * moves by metres. */
 double thud_segment_tail(const struct thud_segment *seg, const struct thud_model *model);
+/* Leaves out the last orders whose accelerations are below `least` of those that each system starts with: the fastest
+ * rate may be that of a dashpot that hardly moves. */
+void thud_segment_trim(struct thud_segment *seg, const struct thud_model *model, double least);
 /* Shortens the segment to factor * h by scaling its coefficients. */
 void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, double factor);
 

@@ -574,6 +574,8 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
         for (int k = 0; k < x->by->n; k++)
             seg->force[k * x->nc + x->active[a]] = x->step.coefficient[x->active[a] * ROW + k];
     thud_taylor_given(state->model, seg, state->q, state->qd);
+    if (state->model->couples)
+        thud_segment_trim(seg, state->model, least);
     x->by->nodes.motion = x->motion;
     x->by->nodes.force = x->force;
     seg->nodes = &x->by->nodes;
