@@ -241,13 +241,13 @@ static double jerk(const struct thud_free_vibration *f, const struct thud_model 
     const struct thud_model_structure *p = &m->structure[structure];
     const struct thud_coupled_motion *c = thud_free_vibration_motion(f, p->system);
     const double *row = p->phi + floor * p->modes;
-    double sum = 0, drift = 0, *second = f->series.now; /* workspace */
-    for (int j = 0, k = p->first_mode; j < p->modes; j++, k++)
-        second[j] = f->acceleration[k * ENDS + t] - m->gamma[k] * ground;
+    double sum = 0, drift = 0, *damping = f->series.now; /* workspace: phi D, D symmetric */
+    memset(damping, 0, (size_t)p->modes * sizeof *damping);
+    if (p->damping)
+        thud_add_rows(p->modes, p->modes, 1, row, p->damping, damping);
     for (int j = 0, k = p->first_mode; j < p->modes; j++, k++) {
-        const double rate = f->qd[k * ENDS + t],
-                     coupled = p->damping ? thud_dot(p->modes, p->damping + j * p->modes, second) : 0;
-        sum -= row[j] * (m->spring[k] * rate + m->dashpot[k] * second[j] + coupled);
+        const double rate = f->qd[k * ENDS + t], second = f->acceleration[k * ENDS + t] - m->gamma[k] * ground;
+        sum -= row[j] * (m->spring[k] * rate + m->dashpot[k] * second) + damping[j] * second;
         drift += c->soft ? c->soft[j] * rate : 0;
     }
     return c->soft ? sum - c->soft_npm * drift * thud_dot(p->modes, row, c->soft) : sum;
