@@ -57,6 +57,33 @@ START_TEST(tolerance_keeps_its_promise)
 }
 END_TEST
 
+/* Each number of nodes that a tolerance asks for, against a method that knows none of them. */
+START_TEST(loose_tolerances_keep_theirs)
+{
+    struct thud_record *record = march_motion(1.5);
+    struct march_law laws[] = {rubber(), march_law("hertz", "stiffness", 2.5e10, NULL),
+                               march_law("jankowski", "stiffness", 2.5e10, "restitution", 0.6, NULL),
+                               march_law("hertz-damp", "stiffness", 2.5e10, "restitution", 0.6, NULL)};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+        for (double gap = 0; gap < 0.05; gap += 0.012) {
+            struct thud_model *model = march_row(2, towers, false, gap, &laws[i]);
+            struct march other = march_run(model, record, "dormand-prince", 0, 1e-9, true, 2);
+            ck_assert_msg(other.status == THUD_OK, "%s", other.err.what);
+            for (double tolerance = 1e-2; tolerance > 1e-5; tolerance /= 10) {
+                struct march m = exact(model, record, tolerance, 2);
+                double apart = march_peaks_apart(m.result, other.result, 0.01);
+                ck_assert_msg(apart < tolerance, "%s, gap %g, tolerance %g: %.1e", laws[i].law->name, gap, tolerance,
+                              apart);
+                ck_assert_double_lt(m.result->energy.error_ratio, tolerance);
+                march_free(&m);
+            }
+            march_free(&other);
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+}
+END_TEST
+
 /* Forces that end with a kink, and forces that rise with the sixth power: the energy adds up to the tolerance wherever in
  * a step the contacts open, and whatever the force that an impact is expected to reach. */
 START_TEST(energy_adds_up_to_the_tolerance)
@@ -552,6 +579,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("exact");
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, tolerance_keeps_its_promise);
+    tcase_add_test(tcase, loose_tolerances_keep_theirs);
     tcase_add_test(tcase, energy_adds_up_to_the_tolerance);
     tcase_add_test(tcase, mirror_image);
     tcase_add_test(tcase, scaling_of_laws_of_degree_one);

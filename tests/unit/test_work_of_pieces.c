@@ -77,7 +77,7 @@ START_TEST(few_terms_leave_out_what_they_may)
                 speed += seg->h_s * fabs(seg->force[k * f.model->nrows + c]) *
                          sqrt(f.model->delassus[c * f.model->nrows + c]);
         for (int all = 0; all < 2; all++) {
-            seg->terms = all ? THUD_SEGMENT_TERMS : thud_segment_terms(angle, least);
+            seg->terms = all ? THUD_SEGMENT_TERMS : thud_segment_terms(angle, least, ORDERS + 3);
             fewest = seg->terms < fewest ? seg->terms : fewest;
             thud_taylor_given(f.model, seg, f.m.run->state.q, f.m.run->state.qd);
             thud_segment_state(seg, n, 1, q[all], qd[all]);

@@ -361,7 +361,7 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
 static bool parts_quietly(const struct view *v, double s)
 {
     enum { PLACES = 4 };
-    static const double part = 0.1; /* of the tolerance, as for the error of a step */
+    static const double part = 0.1; /* of the tolerance */
     const struct thud_contact_state *contact = &v->state->contact[v->c];
     const struct thud_branch *b = &contact->branch;
     const bool ends = b->f0_n == 0 && b->k_npm == 0 && b->c_nspm == 0 && b->soft_m == 0 && b->p > 1 && b->r > 1;

@@ -102,11 +102,11 @@ bool thud_segment_has_any(const struct thud_state *state, const struct thud_segm
     return false;
 }
 
-int thud_segment_terms(double angle, double least)
+int thud_segment_terms(double angle, double least, int fewest)
 {
     double power = 1, factorial = 1; /* apart: a division in each term would wait for the one before */
     int k = 1;
-    for (; k < THUD_SEGMENT_TERMS && (power > least * factorial || k < THUD_SEGMENT_TERMS_LEAST); k++) {
+    for (; k < THUD_SEGMENT_TERMS && (power > least * factorial || k < fewest); k++) {
         power *= angle;
         factorial *= k;
     }
@@ -151,7 +151,7 @@ void thud_segment_ground(const struct thud_state *state, struct thud_segment *se
 
 int thud_segment_all_terms(const struct thud_state *state, double h_s)
 {
-    return thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
+    return thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES, THUD_SEGMENT_TERMS_LEAST);
 }
 
 /* Sets the forces to 0 and lists the rows that can have one: those of the last segment, as only rows that acted at its
@@ -219,21 +219,22 @@ static double ground_term(const struct thud_segment *seg, int k)
     return k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
 }
 
-/* Adds the forces of order k to order k + 2 of the modes. */
+/* Adds the forces of order k to order k + 2 of the modes, of two rows at a time. */
 static void push_rows(const struct thud_model *m, const struct thud_segment *seg, const struct slice *of, int k,
                       double *q2)
 {
     const double *force = seg->force + k * m->nrows, by_load = load_factor(seg, k);
-    for (int i = 0; i < seg->rows; i++) {
-        const double by_g = by_load * force[seg->row[i]], *g = m->jacobian + (size_t)seg->row[i] * (size_t)m->nmodes;
-        const int end = of->mode + of->modes;
+    const int end = of->mode + of->modes;
+    for (int i = 0; i < seg->rows; i += 2) {
+        const int row = seg->row[i], other = seg->row[i + 1 < seg->rows ? i + 1 : i];
+        const double by_g = by_load * force[row], by_h = other == row ? 0 : by_load * force[other],
+                     *g = m->jacobian + (size_t)row * (size_t)m->nmodes,
+                     *h = m->jacobian + (size_t)other * (size_t)m->nmodes;
         int j = of->mode;
-        if (by_g == 0)
-            continue;
         for (; j + 2 <= end; j += 2)
-            thud_vec2_put(thud_vec2_at(q2 + j) + by_g * thud_vec2_at(g + j), q2 + j);
+            thud_vec2_put(thud_vec2_at(q2 + j) + (by_g * thud_vec2_at(g + j) + by_h * thud_vec2_at(h + j)), q2 + j);
         if (j < end)
-            q2[j] += by_g * g[j];
+            q2[j] += by_g * g[j] + by_h * h[j];
     }
 }
 
@@ -293,7 +294,7 @@ double thud_segment_tail(const struct thud_segment *seg, const struct thud_model
 void thud_segment_trim(struct thud_segment *seg, const struct thud_model *model, double least)
 {
     const int n = model->nmodes;
-    int terms = THUD_SEGMENT_TERMS_LEAST;
+    int terms = seg->loaded + 3 < seg->terms ? seg->loaded + 3 : seg->terms;
     for (int s = 0; s < model->nsystems; s++) {
         const struct thud_model_structure *p = &model->structure[model->system[s]];
         const double *q = seg->q + p->first_mode, most = least * 2 * thud_largest_size(q + 2 * n, p->modes);

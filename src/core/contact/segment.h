@@ -70,8 +70,8 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_s
 
 /* Bound of the fastest rate of the run's motion with the linear contacts that are closed, 1/s. */
 double thud_segment_rate(const struct thud_state *state);
-/* Terms after which angle^k/k! is below `least`: angle = rate times h. */
-int thud_segment_terms(double angle, double least);
+/* Terms after which angle^k/k! is below `least`, but no fewer than `fewest`: angle = rate times h. */
+int thud_segment_terms(double angle, double least, int fewest);
 /* Sets h, the number of terms and the ground acceleration over the next h seconds of the run, and clears the forces. */
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s, int terms);
 /* Terms of a series over h seconds of the run's motion, to rounding. */

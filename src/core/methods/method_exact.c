@@ -43,7 +43,7 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
     const struct thud_model *m = state->model;
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
     const double rate = thud_segment_rate(state), h = fmin(thud_state_remaining(state), longest_angle / rate);
-    const int terms = thud_segment_terms(rate * h, THUD_TOL_SERIES);
+    const int terms = thud_segment_terms(rate * h, THUD_TOL_SERIES, THUD_SEGMENT_TERMS_LEAST);
     thud_segment_begin(state, seg, h, terms < THUD_SEGMENT_TERMS_TRIED ? terms : THUD_SEGMENT_TERMS_TRIED);
     double tail = thud_taylor_linear(state, seg);
     while (tail > THUD_TOL_SERIES_TAIL) {

@@ -31,9 +31,11 @@ enum { PATIENCE = 16 };                        /* steps of one size before a lon
 enum { REPEATS = 2 };                          /* shorter steps with no smaller error: it is rounding */
 static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
 static const double stiff = 1;                 /* change of a force by the motion it makes in a step, over itself */
-static const double least_of_four = 3e-4;      /* tolerance at or above which four nodes are enough, as a rule */
-static const double step_part = 0.1;           /* of the run's tolerance, for the error of a step */
-static const double solution_part = 1e-2;      /* of that, for the solution of the equations */
+static const double least_of_three = 3e-3,
+                    least_of_four = 3e-4; /* tolerance at or above which so many nodes are enough */
+static const double step_part = 0.3;      /* of the run's tolerance, for the error of a step */
+static const double solution_part = 0.01; /* of that, for the solution of the equations */
+static const double series_part = 1e-4;   /* of the run's tolerance, for terms left out of a series */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
 static const double least_error = 1e-5; /* of the tolerance: below it the error says nothing of the next step */
 static const double same_error = 0.95, near_tolerance = 100;
@@ -82,11 +84,14 @@ struct thud_collocation {
     double *force;                /* (nactive x n) */
     thud_vec2 *free, *motion;     /* (nactive x points), of the motion at the nodes alone; at the start already */
     struct beginning {
+        const struct thud_branch *branch;
+        bool sticks;
         double force, by_d, by_v; /* the law at the start */
         bool rough;               /* what follows does not go on smoothly from there */
-    } * begins;                   /* (nactive) */
-    double *residual, *matrix;    /* (unknowns); square */
-    double *scale;                /* (nactive) 1 over that on which a change of the force counts */
+        double scale,
+            per_scale; /* on which an error of its force counts, but for the forces of the step; 1 over all of it */
+    } * begins;        /* (nactive) */
+    double *residual, *matrix; /* (unknowns); square */
     lapack_int *pivot;
 };
 
@@ -106,19 +111,21 @@ static double step_tolerance(const struct thud_state *state)
 
 /* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
  * approach velocity. Of a yielding storey it is the yield force: the rest cancels the elastic spring's, but for rounding. */
-static double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a)
+static double scale_at_start(const struct thud_state *state, const struct thud_collocation *x, int a)
 {
-    int c = x->active[a];
+    const int c = x->active[a];
     const struct thud_contact_state *contact = thud_row_contact(state, c);
-    const double part = contact ? 1 : THUD_TOL_CANCELLED / step_tolerance(state);
-    thud_vec2 most = {x->largest_n[c], thud_contact_least_force(state, c)};
-    for (int i = 0; i < x->by->n; i += 2) {
-        const thud_vec2 size = thud_vec2_abs(thud_vec2_some(x->force + a * x->by->n + i, i + 1 == x->by->n));
-        most = thud_vec2_larger(part * size, most);
-    }
-    if (contact && contact->phase == THUD_APPROACH)
-        most[0] = thud_larger(most[0], contact->expected_force_n);
-    return thud_larger(most[0], most[1]);
+    const double least = thud_larger(x->largest_n[c], thud_contact_least_force(state, c));
+    return contact && contact->phase == THUD_APPROACH ? thud_larger(least, contact->expected_force_n) : least;
+}
+
+static inline double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a, const int n)
+{
+    const double part = x->active[a] < state->model->ncontacts ? 1 : THUD_TOL_CANCELLED / step_tolerance(state);
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = thud_larger(most, fabs(x->force[a * n + i]));
+    return thud_larger(x->begins[a].scale, part * most);
 }
 
 /* The law (N) and its derivatives at a motion. At d <= 0 the linear part alone counts: a power below 1 has no slope at
@@ -157,9 +164,9 @@ static inline double force_difference(const struct thud_state *state, const stru
 {
     const int c = x->active[a];
     const double *force = x->force + a * n;
-    if (thud_row_sticks(state, c)) /* the force that would undo the rate in one step, but for rounding */
+    if (x->begins[a].sticks) /* the force that would undo the rate in one step, but for rounding */
         return state->model->contact[c].setup.mass_kg * thud_larger(fabs(motion[1]) - THUD_TOL_STICKING_M / h, 0) / h;
-    double by_d, by_v, difference = law_at(thud_row_branch(state, c), motion, &by_d, &by_v);
+    double by_d, by_v, difference = law_at(x->begins[a].branch, motion, &by_d, &by_v);
     for (int k = 0; k < n; k++)
         difference -= force[k] * x->by->between[k][i];
     difference = fabs(difference);
@@ -186,14 +193,13 @@ static inline thud_vec2 motion_at(const struct thud_collocation *x, int a, int i
 
 /* Force of a contact that has begun at the start and is open again at the first check, which is at this motion after t
  * seconds: at the top of the parabola through both. No node lies in so short a contact. */
-static double missed_force(const struct thud_state *state, const struct thud_collocation *x, int a, thud_vec2 motion,
-                           double t)
+static double missed_force(const struct thud_collocation *x, int a, thud_vec2 motion, double t)
 {
     const double way = x->motion[a * x->by->points][1] * t;
     if (!(motion[0] <= 0 && way > 0)) /* below 0 by rounding */
         return 0;
     const double top = 0.25 * way * way / (way - motion[0]);
-    return fabs(thud_branch_force(thud_row_branch(state, x->active[a]), top, 0, NULL, NULL));
+    return fabs(thud_branch_force(x->begins[a].branch, top, 0, NULL, NULL));
 }
 
 /* Error of contact a's force: the largest difference between its polynomial and the law between the nodes, over the
@@ -203,15 +209,15 @@ static inline double contact_error(const struct thud_state *state, const struct 
                                    double tolerance, const int n)
 {
     const struct thud_contact_state *s = thud_row_contact(state, x->active[a]);
-    const double mass = state->model->contact[x->active[a]].setup.mass_kg, scale = force_scale(state, x, a),
+    const double mass = state->model->contact[x->active[a]].setup.mass_kg, scale = force_scale(state, x, a, n),
                  small = 1e-2 * tolerance * scale;
     double most = 0;
-    for (int i = 0; i < CHECKS && (i == 0 || most > 0.1 * small); i++) {
+    for (int i = 0; i < x->by->points - n && (i == 0 || most > 10 * small); i++) {
         const thud_vec2 motion = motion_at(x, a, n + i, n);
         state->work->force_evaluations++;
         most = thud_larger(most, force_difference(state, x, a, i, motion, h, small, n));
         if (i == 0 && thud_row_starts_at_zero(state, x->active[a]))
-            most = thud_larger(most, missed_force(state, x, a, motion, x->by->point[n] * h));
+            most = thud_larger(most, missed_force(x, a, motion, x->by->point[n] * h));
     }
     double error = thud_larger(most / scale - THUD_TOL_POLYNOMIAL, 0);
     if (is_approach(s) && has_just_begun(x, a)) {
@@ -235,7 +241,8 @@ static inline double contact_errors(const struct thud_state *state, const struct
 static double error_of_step(const struct thud_state *state, const struct thud_collocation *x, double h,
                             double tolerance)
 {
-    return x->by->n == 4   ? contact_errors(state, x, h, tolerance, 4)
+    return x->by->n == 3   ? contact_errors(state, x, h, tolerance, 3)
+           : x->by->n == 4 ? contact_errors(state, x, h, tolerance, 4)
            : x->by->n == 5 ? contact_errors(state, x, h, tolerance, 5)
                            : contact_errors(state, x, h, tolerance, NODES_MAX);
 }
@@ -246,7 +253,7 @@ static enum thud_status set_points(const struct thud_state *state, const struct 
 {
     const int last = n - 1, interval[CHECKS] = {0, last / 2};
     double lagrange[NODES_MAX * NODES_MAX];
-    *by = (struct scheme){.n = n, .points = n + CHECKS};
+    *by = (struct scheme){.n = n, .points = n == 3 ? 4 : n + CHECKS};
     const struct thud_lobatto *rule = thud_lobatto_of(n);
     by->nodes = (struct thud_segment_nodes){.count = n,
                                             .point = by->point,
@@ -267,12 +274,12 @@ static enum thud_status set_points(const struct thud_state *state, const struct 
     for (int k = 1; k <= last; k++)
         by->back[k] = lagrange[k - 1];
     thud_lagrange_coefficients(n, by->point, lagrange);
-    for (int i = 0; i < CHECKS; i++)
+    for (int i = 0; i < by->points - n; i++)
         by->point[n + i] = 0.5 * (by->point[interval[i]] + by->point[interval[i] + 1]);
     for (int k = 0; k < n; k++) {
         for (int p = 0; p < n; p++)
             by->lagrange[k][p] = lagrange[p * n + k];
-        for (int i = 0; i < CHECKS; i++)
+        for (int i = 0; i < by->points - n; i++)
             by->between[k][i] = thud_poly_value(by->lagrange[k], n, by->point[n + i]);
     }
     return thud_responses_create(state, n, by->points, by->point, lagrange, x->h_top, &by->responses, err);
@@ -282,6 +289,8 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
                                          struct thud_error *err)
 {
     const struct thud_model *m = state->model;
+    const bool loose = state->tolerance >= least_of_four;
+    const int few = state->tolerance >= least_of_three ? 3 : loose ? 4 : 5, many = loose ? 5 : NODES_MAX;
     struct thud_collocation *x, to = {.nc = m->nrows, .contraction = slowest_contraction};
     /* an interval of the ground motion, or a part of one that a series is enough for */
     to.h = to.h_top =
@@ -295,9 +304,9 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
         return status;
     *x = to;
     x->by = &x->few;
-    status = set_points(state, x, state->tolerance >= least_of_four ? 4 : 5, &x->few, err);
+    status = set_points(state, x, few, &x->few, err);
     if (status == THUD_OK)
-        status = set_points(state, x, NODES_MAX, &x->many, err);
+        status = set_points(state, x, many, &x->many, err);
     for (int k = 0; k < m->nstoreys; k++)
         x->largest_n[m->ncontacts + k] =
             (1 - m->storey[k].hardening) * m->storey[k].stiffness_npm * m->storey[k].yield_m;
@@ -349,9 +358,8 @@ static enum thud_status reserve(const struct thud_state *state, struct thud_coll
     const size_t contacts = (size_t)x->capacity, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX;
     return THUD_LAY_IN(state->memory, err, THUD_PIECE(x->free, motions), THUD_PIECE(x->motion, motions),
                        THUD_PIECE(x->force, contacts * NODES_MAX + 1), THUD_PIECE(x->residual, unknowns),
-                       THUD_PIECE(x->scale, contacts), THUD_PIECE(x->matrix, unknowns * unknowns),
-                       THUD_PIECE(x->response, contacts * contacts), THUD_PIECE(x->pivot, unknowns),
-                       THUD_PIECE(x->begins, contacts));
+                       THUD_PIECE(x->matrix, unknowns * unknowns), THUD_PIECE(x->response, contacts * contacts),
+                       THUD_PIECE(x->pivot, unknowns), THUD_PIECE(x->begins, contacts));
 }
 
 /* The forces at the start: as they are, or where the polynomials through the other nodes come to. */
@@ -372,12 +380,11 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
     set_starts(x);
     for (int row = 0; row < all; row++) {
         const int a = row / each, i = row % each + 1;
-        const bool sticks = thud_row_sticks(state, x->active[a]);
+        const bool sticks = x->begins[a].sticks;
         const thud_vec2 motion = x->motion[a * x->by->points + i] = motion_at(x, a, i, n);
         double by_d = 0, by_v = -1;
         x->residual[row] =
-            sticks ? motion[1]
-                   : x->force[a * x->by->n + i] - law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
+            sticks ? motion[1] : x->force[a * x->by->n + i] - law_at(x->begins[a].branch, motion, &by_d, &by_v);
         for (int column = 0; column < all; column++) {
             const int b = column / each, k = column % each + 1;
             const thud_vec2 *r = x->response[a * x->nactive + b] + i * n,
@@ -403,11 +410,11 @@ static inline double sweep_nodes(const struct thud_state *state, struct thud_col
         for (int a = 0; a < x->nactive; a++) {
             double by_d, by_v, *force = &x->force[a * n + j];
             const thud_vec2 own = x->response[a * x->nactive + a][j * n + j], motion = x->motion[a * points + j];
-            const double law = law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
+            const double law = law_at(x->begins[a].branch, motion, &by_d, &by_v);
             const double change = (law - *force) / (1 - by_d * own[0] - by_v * own[1]);
             *force += change;
             x->motion[a * points + j] = motion + change * own;
-            most = thud_larger(most, fabs(change) * x->scale[a]);
+            most = thud_larger(most, fabs(change) * x->begins[a].per_scale);
         }
     }
     state->work->force_evaluations += x->nactive * (n - 1);
@@ -421,12 +428,13 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
 {
     double before = 0;
     for (int a = 0; a < x->nactive; a++) {
-        if (thud_row_sticks(state, x->active[a]))
+        if (x->begins[a].sticks)
             return false;
-        x->scale[a] = 1 / force_scale(state, x, a);
+        x->begins[a].per_scale = 1 / force_scale(state, x, a, x->by->n);
     }
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
-        const double change = x->by->n == 4   ? sweep_nodes(state, x, 4)
+        const double change = x->by->n == 3   ? sweep_nodes(state, x, 3)
+                              : x->by->n == 4 ? sweep_nodes(state, x, 4)
                               : x->by->n == 5 ? sweep_nodes(state, x, 5)
                                               : sweep_nodes(state, x, NODES_MAX);
         if (iteration > 0)
@@ -454,7 +462,7 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, do
             return false;
         double change = 0;
         for (int a = 0; a < x->nactive; a++) {
-            double scale = force_scale(state, x, a);
+            double scale = force_scale(state, x, a, x->by->n);
             for (int i = 0; i < each; i++) {
                 x->force[a * x->by->n + i + 1] -= x->residual[a * each + i];
                 change = thud_larger(change, fabs(x->residual[a * each + i]) / scale);
@@ -490,8 +498,7 @@ static void begin_force(const struct thud_state *state, const struct thud_colloc
     const bool deeper = is_approach(thud_row_contact(state, c));
     for (int i = 1; i < x->by->n; i++) {
         const double d = place + 0.5 * rate * h * x->by->point[i];
-        force[i] =
-            deeper ? thud_larger(now, 0.5 * thud_branch_force(thud_row_branch(state, c), d, rate, NULL, NULL)) : now;
+        force[i] = deeper ? thud_larger(now, 0.5 * thud_branch_force(x->begins[a].branch, d, rate, NULL, NULL)) : now;
     }
 }
 
@@ -511,12 +518,12 @@ static void start_forces(const struct thud_state *state, struct thud_collocation
         thud_contact_motion(state, c, (double *)motion);
         if (thud_row_starts_at_zero(state, c))
             (*motion)[0] = 0;
-        *begins = (struct beginning){0};
-        begins->force = thud_row_sticks(state, c)
-                            ? state->force_now[c]
-                            : law_at(thud_row_branch(state, c), *motion, &begins->by_d, &begins->by_v);
+        *begins = (struct beginning){.branch = thud_row_branch(state, c), .sticks = thud_row_sticks(state, c)};
+        begins->force =
+            begins->sticks ? state->force_now[c] : law_at(begins->branch, *motion, &begins->by_d, &begins->by_v);
         if (thud_row_contact(state, c)) /* of a storey, the yield force */
             x->largest_n[c] = thud_larger(x->largest_n[c], fabs(begins->force));
+        begins->scale = scale_at_start(state, x, a);
     }
 }
 
@@ -526,7 +533,7 @@ static void judge_starts(const struct thud_state *state, struct thud_collocation
 {
     for (int a = 0; a < x->nactive; a++) {
         const int c = x->active[a];
-        const struct thud_branch *b = thud_row_branch(state, c);
+        const struct thud_branch *b = x->begins[a].branch;
         const bool jumps = thud_row_starts_at_zero(state, c) && ((b->K != 0 && b->p < 1) || (b->D != 0 && b->r < 1));
         struct beginning *begins = &x->begins[a];
         const double stiffness =
@@ -567,11 +574,12 @@ static void keep_step(const struct thud_state *state, struct thud_collocation *x
 /* The motion under the forces of the step. */
 static void write_segment(const struct thud_state *state, struct thud_segment *seg, struct thud_collocation *x)
 {
-    const double h = x->step.h, least = fmax(THUD_TOL_SERIES, 1e-4 * state->tolerance);
-    thud_segment_begin(state, seg, h, thud_segment_terms(state->fastest_radps * h, least));
-    seg->loaded = x->by->n;
+    const double h = x->step.h, least = fmax(THUD_TOL_SERIES, series_part * state->tolerance);
+    const int n = x->by->n;
+    thud_segment_begin(state, seg, h, thud_segment_terms(state->fastest_radps * h, least, n + 3));
+    seg->loaded = n;
     for (int a = 0; a < x->nactive; a++)
-        for (int k = 0; k < x->by->n; k++)
+        for (int k = 0; k < n; k++)
             seg->force[k * x->nc + x->active[a]] = x->step.coefficient[x->active[a] * ROW + k];
     thud_taylor_given(state->model, seg, state->q, state->qd);
     if (state->model->couples)
@@ -612,7 +620,7 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
 {
     int sticking = 0;
     for (int a = 0; a < x->nactive; a++)
-        sticking += thud_row_sticks(state, x->active[a]);
+        sticking += x->begins[a].sticks;
     if (sticking > 1 && state->model->left_out > 0) /* all modes tell any floors apart */
         return thud_state_too_few_modes(state, err);
     return thud_error_set(err, THUD_DIVERGED, "no step is short enough for the contact forces at t = %.6g s",

@@ -148,7 +148,9 @@ static inline void sum_at(const struct thud_model *m, int row, const double *wei
 static void sum_modes(const struct thud_responses *x, int row, const double *weight, const thud_vec2 *modes,
                       thud_vec2 *out)
 {
-    if (x->points == 6) /* so that compilers keep the sums in registers */
+    if (x->points == 4) /* so that compilers keep the sums in registers */
+        sum_at(x->model, row, weight, modes, out, 4);
+    else if (x->points == 6)
         sum_at(x->model, row, weight, modes, out, 6);
     else if (x->points == 7)
         sum_at(x->model, row, weight, modes, out, 7);
@@ -193,7 +195,7 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
     const double h = ldexp(x->h_top, -at);
     bool made = level->pair || THUD_LAY_IN(x->memory, NULL, THUD_PIECE(level->pair, rows * rows),
                                            THUD_PIECE(level->load, rows)) == THUD_OK;
-    level->terms = thud_segment_terms(m->fastest_radps * h, THUD_TOL_SERIES);
+    level->terms = thud_segment_terms(m->fastest_radps * h, THUD_TOL_SERIES, THUD_SEGMENT_TERMS_LEAST);
     for (int b = 0; b < n && made; b++) {
         struct load *load = load_of(x, level, contact[b]);
         made = load->series ||

@@ -93,12 +93,14 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
     const int far = o->state->fastest_radps * o->s * seg->h_s > far_rad, degree = 2 * (seg->terms - 2);
-    const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[0].order ? 0 : THUD_LOBATTO_RULES - 2 + far];
+    const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[1].order ? 1 : THUD_LOBATTO_RULES - 2 + far];
     if (seg->nodes && o->state->tolerance >= fine) /* as good as the step */
         by = far ? by - 1 : thud_lobatto_of(seg->nodes->count);
     const struct thud_rate_powers *power = &l->power[by - thud_lobatto];
     double loss, drive;
-    if (by->inner == 2)
+    if (by->inner == 1)
+        add_modes(o, by, power, 1, l->rates, &loss, &drive);
+    else if (by->inner == 2)
         add_modes(o, by, power, 2, l->rates, &loss, &drive);
     else if (by->inner == 3)
         add_modes(o, by, power, 3, l->rates, &loss, &drive);
