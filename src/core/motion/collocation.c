@@ -342,18 +342,12 @@ void thud_collocation_committed(const struct thud_state *state, struct thud_coll
     x->contraction = slowest_contraction;
 }
 
-/* Room for n active contacts, and for twice as many as before: what it replaces stays until the run is freed. The forces of
- * more contacts than ever are 0 at first. */
+/* Room for n active contacts, and for twice as many as before: what it replaces stays until the run is freed. */
 static enum thud_status reserve(const struct thud_state *state, struct thud_collocation *x, int n,
                                 struct thud_error *err)
 {
-    if (n <= x->most_active)
+    if (n <= x->capacity)
         return THUD_OK;
-    x->most_active = n;
-    if (n <= x->capacity) {
-        memset(x->force, 0, (size_t)(n * NODES_MAX + 1) * sizeof *x->force);
-        return THUD_OK;
-    }
     x->capacity = n > 2 * x->capacity ? n : 2 * x->capacity;
     const size_t contacts = (size_t)x->capacity, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX;
     return THUD_LAY_IN(state->memory, err, THUD_PIECE(x->free, motions), THUD_PIECE(x->motion, motions),
@@ -553,6 +547,7 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
             extrapolate(x, c, h, x->force + a * x->by->n);
         else
             begin_force(state, x, a, h);
+        x->force[a * x->by->n] = x->begins[a].force;
     }
 }
 
