@@ -69,8 +69,8 @@ struct thud_collocation {
     struct scheme few, many, *by; /* the one at hand */
     double h_top;                 /* step of level 0 */
     double h, h_onset;
-    int steady;         /* steps since one that let the next be longer */
-    double contraction; /* of the fixed-point iteration, as last measured and with a margin */
+    int steady;               /* steps since one that let the next be longer */
+    double contraction, at_h; /* of the fixed-point iteration, as last measured and with a margin; in a step of at_h */
     bool at_onset;
     struct step step;
     int nc;
@@ -340,6 +340,7 @@ void thud_collocation_committed(const struct thud_state *state, struct thud_coll
         return;
     forget_switched(state, x);
     x->contraction = slowest_contraction;
+    x->at_h = 0;
 }
 
 /* Room for n active contacts, and for twice as many as before: what it replaces stays until the run is freed. */
@@ -418,9 +419,11 @@ static inline double sweep_nodes(const struct thud_state *state, struct thud_col
 /* Iteration for the forces: cheap, and fast where contacts are soft on the scale of the step, as what acts later hardly
  * shows in what was before. What is left after an iteration is its change times the contraction, which is known from
  * the step before; should it be worse, the error of the step shows it. */
-static bool iterate(const struct thud_state *state, struct thud_collocation *x, double tolerance)
+static bool iterate(const struct thud_state *state, struct thud_collocation *x, double h, double tolerance)
 {
-    double before = 0;
+    const double longer = x->at_h > 0 ? h / x->at_h : 1; /* the displacement by a force goes with its square */
+    double before = 0,
+           contraction = thud_smaller(slowest_contraction, x->contraction * longer * thud_larger(longer, 1));
     for (int a = 0; a < x->nactive; a++) {
         if (x->begins[a].sticks)
             return false;
@@ -431,9 +434,11 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
                               : x->by->n == 4 ? sweep_nodes(state, x, 4)
                               : x->by->n == 5 ? sweep_nodes(state, x, 5)
                                               : sweep_nodes(state, x, NODES_MAX);
-        if (iteration > 0)
-            x->contraction = fmin(slowest_contraction, 4 * change / before);
-        if (change * x->contraction <= tolerance) {
+        if (iteration > 0) {
+            x->contraction = contraction = fmin(slowest_contraction, 4 * change / before);
+            x->at_h = h;
+        }
+        if (change * contraction <= tolerance) {
             if (iteration == 0) /* not measured this time */
                 x->contraction = fmin(slowest_contraction, 2 * x->contraction);
             return true;
@@ -659,7 +664,7 @@ static enum thud_status solve_level(const struct thud_state *state, struct thud_
     thud_responses_unforced(x->by->responses, state, level, x->active, x->nactive, x->motion, x->free);
     judge_starts(state, x, h);
     guess(state, x, h);
-    if (iterate(state, x, least) || solve(state, x, least)) {
+    if (iterate(state, x, h, least) || solve(state, x, least)) {
         keep_step(state, x, h); /* should it be too long, a shorter one begins with these forces */
         *error = error_of_step(state, x, h, tolerance);
     } else {
