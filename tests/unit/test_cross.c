@@ -214,6 +214,27 @@ START_TEST(forces_are_found_anew_in_a_longer_step)
 }
 END_TEST
 
+/* A force that begins to hold a contact well inside its interval was taken for one at its end, by ten times a coarse
+ * tolerance: the contact let go at once, turned, and was held again, 100,000 times. */
+START_TEST(held_contacts_let_go_at_the_end_of_their_interval)
+{
+    static const unsigned long long seeds[] = {SCENES_SOIL + 201, SCENES_ISOLATORS + 29, SCENES_MATRICES + 79};
+    static const double tolerance = 1e-2;
+    struct scenes_one one;
+    struct scenes_solution a, other;
+    int at;
+    scenes_draw(&one, SCENES_COARSE + seeds[_i]);
+    scenes_run(&one, &(struct scenes_options){.method = "dormand-prince", .tolerance = 1e-9}, &other);
+    scenes_run(&one, &(struct scenes_options){.tolerance = tolerance, .most = 20000}, &a);
+    ck_assert_msg(a.status == THUD_OK, "%s", a.err.what);
+    ck_assert_int_eq(a.stopped, false);
+    ck_assert_double_le(scenes_apart(&a, &other, 1e-2, NULL, 0, &at), tolerance);
+    scenes_answer_clear(&a);
+    scenes_answer_clear(&other);
+    scenes_clear(&one);
+}
+END_TEST
+
 /* A swing of 12 m over which an undamped mode of 2,000 rad/s rides: the series ended where its terms were small beside the
  * swing, and thousands of them put an acceleration off by 3e-8. */
 START_TEST(series_end_by_accelerations_too)
@@ -405,6 +426,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, modes_that_die_out_in_an_interval_move);
     tcase_add_test(tcase, many_contacts_add_up_in_the_ledger);
     tcase_add_test(tcase, forces_are_found_anew_in_a_longer_step);
+    tcase_add_loop_test(tcase, held_contacts_let_go_at_the_end_of_their_interval, 0, 3);
     tcase_add_test(tcase, series_end_by_accelerations_too);
     tcase_add_loop_test(tcase, yielding_storeys_keep_to_their_yield_force, 0, 4);
     tcase_add_test(tcase, a_held_contact_does_not_bounce);

@@ -104,25 +104,20 @@ static bool line_of(const struct view *v, enum watched watched, struct line *out
     return power ? b->D != 0 && b->p == b->r : !(b->D == 0 && b->c_nspm == 0 && b->f0_n == 0);
 }
 
-/* Force by which rounding moves the constraint force of a STICKING contact from one end of its interval, beyond which it is
- * outside: neighbours that move alike are held together by what rounding leaves of equal forces. Just after it began to stick, a force
- * that is there but for the accuracy of its polynomial is taken to start there. */
-static double from_end(const struct view *v, double distance)
-{
-    const struct thud_state *state = v->state;
-    double scale = state->model->contact[v->c].setup.mass_kg * state->ground_mps2;
-    bool there = v->suppressed.force > 0 && fabs(distance) <= 10 * state->tolerance * scale;
-    return there ? 0 : distance;
-}
-
+/* How far the constraint force of a STICKING contact is from one end of its interval, less what rounding leaves of equal
+ * forces, by which neighbours that move alike are held together. Just after it began to stick, a force that is outside
+ * by no more than the accuracy of its polynomial is taken to start at the end. */
 static void constraint_function(const struct view *v, bool high, double *out)
 {
     const struct thud_state *state = v->state;
     const struct thud_contact_state *s = &state->contact[v->c];
-    double rounding = state->model->contact[v->c].setup.mass_kg * thud_contact_rounding(state);
+    const double mass_kg = state->model->contact[v->c].setup.mass_kg, side = high ? 1 : -1,
+                 accuracy = v->suppressed.force > 0 ? 10 * state->tolerance * mass_kg * state->ground_mps2 : 0;
     thud_segment_force(v->seg, state->model->nrows, v->c, v->seg->terms, out);
-    out[0] = high ? from_end(v, out[0] - s->constraint_high_n) - rounding
-                  : from_end(v, out[0] - s->constraint_low_n) + rounding;
+    out[0] -= high ? s->constraint_high_n : s->constraint_low_n;
+    if (side * out[0] > 0 && side * out[0] <= accuracy)
+        out[0] = 0;
+    out[0] -= side * mass_kg * thud_contact_rounding(state);
 }
 
 /* How fast the state itself changes what a guard watches. */
