@@ -359,7 +359,8 @@ static bool parts_quietly(const struct view *v, double s)
     static const double part = 0.1; /* of the tolerance */
     const struct thud_contact_state *contact = &v->state->contact[v->c];
     const struct thud_branch *b = &contact->branch;
-    const bool ends = b->f0_n == 0 && b->k_npm == 0 && b->c_nspm == 0 && b->soft_m == 0 && b->p > 1 && b->r > 1;
+    const bool ends =
+        b->f0_n == 0 && b->k_npm == 0 && b->c_nspm == 0 && b->soft_m == 0 && b->p > 1 && (b->D == 0 || b->r > 1);
     double force[THUD_SEGMENT_TERMS], most = 0;
     if (v->seg->interpolates || !(v->middle[1] + v->reach[1] < 0))
         return false;
