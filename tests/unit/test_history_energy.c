@@ -37,20 +37,50 @@ static struct thud_model *towers(void)
     return towers_of("kelvin-voigt-no-tension");
 }
 
-static struct thud_run *go(const struct thud_model *model, const struct thud_record *record, bool history)
+static struct thud_run *go_to(const struct thud_model *model, const struct thud_record *record, bool history,
+                              double tolerance)
 {
     struct thud_run_options options;
     struct thud_run *run;
     bool done = false;
     thud_run_options_init(&options);
     options.tail_s = 2.0;
-    options.tolerance = 1e-9;
+    options.tolerance = tolerance;
     options.keep_history = history;
     ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
     while (!done)
         ck_assert_int_eq(thud_run_advance(run, 100000, &done, NULL), THUD_OK);
     return run;
 }
+
+static struct thud_run *go(const struct thud_model *model, const struct thud_record *record, bool history)
+{
+    return go_to(model, record, history, 1e-9);
+}
+
+/* No row shows a contact that pulls, but of a law that does: polynomials of forces fall below 0 by the tolerance. */
+START_TEST(contacts_do_not_pull)
+{
+    static const char *const law[] = {"hertz", "hertz-damp", "jankowski", "kelvin-voigt-no-tension"};
+    struct thud_record *record = march_motion(1.5);
+    for (size_t k = 0; k < sizeof law / sizeof *law; k++)
+        for (double tolerance = 1e-2; tolerance > 1e-5; tolerance *= 0.1) {
+            struct thud_model *model = towers_of(law[k]);
+            struct thud_run *run = go_to(model, record, true, tolerance);
+            const struct thud_history *h = thud_run_history(run);
+            double most = 0;
+            for (size_t i = 0; i < h->rows * 2; i++) {
+                const double force = h->value[i / 2 * (size_t)h->columns + (size_t)thud_history_force(h, (int)i % 2)];
+                ck_assert_msg(force >= 0, "%s: %g N at %g s", law[k], force, h->time_s[i / 2]);
+                most = fmax(most, force);
+            }
+            ck_assert_double_gt(most, 0);
+            thud_run_free(run);
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+}
+END_TEST
 
 /* The first column is the motion that shook: straight between the samples, nothing after the last. */
 START_TEST(ground_is_the_record)
@@ -457,6 +487,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, released_contact_holds_what_it_has);
     tcase_add_test(tcase, a_ledger_that_does_not_balance_ends_the_run);
     tcase_add_test(tcase, ground_is_the_record);
+    tcase_add_test(tcase, contacts_do_not_pull);
     tcase_add_loop_test(tcase, error_is_a_part_of_the_most_there_was, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;

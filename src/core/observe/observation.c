@@ -24,12 +24,14 @@ void thud_observation_state(const struct thud_observation *o, double s, double *
 
 void thud_observation_forces(const struct thud_observation *o, double s, double *force)
 {
-    const int rows = o->state->model->nrows;
+    const struct thud_model *m = o->state->model;
+    const int rows = m->nrows;
     for (int c = 0; c < rows; c++) {
         force[c] = o->seg->terms > 0 ? 0 : end_at(o, s)->force[c];
         for (int k = o->seg->terms - 1; k >= 0; k--)
             force[c] = force[c] * s + o->seg->force[k * rows + c];
-        if (s >= o->seg->notes->parted[c])
+        const bool pushes = c < m->ncontacts && !(m->contact[c].law->flags & THUD_LAW_PULLS);
+        if (s >= o->seg->notes->parted[c] || (pushes && force[c] < 0)) /* but for the tolerance */
             force[c] = 0;
     }
 }
