@@ -25,8 +25,8 @@ enum { FAMILIES = sizeof family / sizeof *family };
 /* To which all have to agree, as a part of the factor. */
 static const double close = 1e-6;
 
-/* The lengths by which contact is told from rest are absolute (THUD_TOL_INDENTATION_M, 1e-15 m, is an indentation that
- * counts): motions that are smaller at the factor, and clearances of which `close` is less, are left out. */
+/* Clearances are whole picometres where they can be: motions that are smaller at the factor, and clearances of which
+ * `close` is less, are left out. */
 static const double smallest_m = 1e-5, smallest_clearance_m = 1e-8;
 
 static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", "matrix", "modes", "estimated"};

@@ -352,6 +352,64 @@ START_TEST(parting_inside_a_step)
 }
 END_TEST
 
+/* Two bodies fly to a wall together, touching or 1e-10 of the unit of length apart, from this far off: the speeds after it,
+ * and the largest force between them. Lengths, speeds and stiffnesses are in that unit. */
+static void fly_to_a_wall(int law_index, double unit, double apart, double way, double out[3])
+{
+    static const char *const name[] = {"linear",    "kelvin-voigt", "kelvin-voigt-no-tension", "hertz", "hertz-damp",
+                                       "jankowski", "rubber",       "stereomechanical"};
+    static const double exponent[] = {1, 1, 1, 1.5, 1.5, 1.5, 2.65, 1},
+                        stiffness[] = {2.5e9, 2.5e9, 2.5e9, 8e10, 8e10, 8e10, 3.2e10, 0}, speed = 4;
+    const double k = stiffness[law_index] * pow(unit, 1 - exponent[law_index]);
+    double mass[] = {3e5, 2e5}, none = 0;
+    struct march_law law = k == 0 ? march_law(name[law_index], NULL)
+                           : law_index == 6
+                               ? march_law("rubber", "stiffness", k, "restitution", 0.5, "thickness", 0.05 * unit,
+                                           "damping", 1.0, "post-yield", 2.5e9, "speed-floor", 1e-3 * unit, NULL)
+                           : law_index == 4 ? march_law("hertz-damp", "stiffness", k, "speed-floor", 1e-3 * unit, NULL)
+                                            : march_law(name[law_index], "stiffness", k, NULL);
+    struct thud_structure_input s[3] = {{0}};
+    struct thud_contact_input c[2];
+    for (int i = 0; i < 2; i++) {
+        s[i] = (struct thud_structure_input){
+            .n = 1, .mass_kg = &mass[i], .stiffness_npm = &none, .velocity_mps = speed * unit};
+        c[i] = (struct thud_contact_input){.interface = i + 1,
+                                           .left_floor = 1,
+                                           .right_floor = 1 - i,
+                                           .left_structure = i,
+                                           .right_structure = i + 1,
+                                           .clearance_m = (i ? way : apart) * unit,
+                                           .law = law.law,
+                                           .setup = law.setup};
+    }
+    struct thud_model_input input = {.nstructures = 3, .structure = s, .ncontacts = 2, .contact = c};
+    struct thud_model *model = NULL;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    struct march m = exact(model, NULL, 1e-9, way / speed + 1);
+    out[0] = march_velocity(&m, 0) / unit;
+    out[1] = march_velocity(&m, 1) / unit;
+    out[2] = m.result->contact[0].force.value / unit;
+    march_free(&m);
+    thud_model_free(model);
+}
+
+/* The same in other units of length, and 1 km away from where it began. */
+START_TEST(no_length_is_of_its_own)
+{
+    static const double unit[] = {1e-3, 1e-6, 1e3, 1}, way[] = {0.5, 0.5, 0.5, 1000}, apart[] = {0, 1e-10};
+    for (int k = 0; k < 2; k++) {
+        double want[3], got[3];
+        fly_to_a_wall(_i, 1, apart[k], 0.5, want);
+        for (int i = 0; i < 4; i++) {
+            fly_to_a_wall(_i, unit[i], apart[k], way[i], got);
+            for (int j = 0; j < 3; j++)
+                ck_assert_msg(fabs(got[j] - want[j]) <= 1e-9 * fmax(fabs(want[j]), 1),
+                              "unit %g, %g apart, number %d: %.12g, not %.12g", unit[i], apart[k], j, got[j], want[j]);
+        }
+    }
+}
+END_TEST
+
 /* An undamped swing of 5 cm between two walls, 4 and 4.5 cm away: it strikes them in turn, wherever it began, and as
  * springs lose nothing each is as deep as the energy says. Both come near in one block of free vibration, at other times. */
 START_TEST(from_wall_to_wall)
@@ -616,6 +674,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, grazing);
     tcase_add_test(tcase, grazing_shorter_than_a_step);
     tcase_add_loop_test(tcase, parting_inside_a_step, 0, 2);
+    tcase_add_loop_test(tcase, no_length_is_of_its_own, 0, 8);
     tcase_add_test(tcase, from_wall_to_wall);
     tcase_add_test(tcase, touch_and_release_in_one_step);
     tcase_add_test(tcase, sticking_beyond_the_largest_strain);

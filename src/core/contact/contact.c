@@ -15,7 +15,7 @@ static double expected_force(const struct thud_state *state, int c, double v)
     const struct thud_law *law = thud_contact_law(state, c);
     const struct thud_law_setup *setup = thud_contact_setup(state, c);
     const struct thud_law_memory *memory = &state->contact[c].memory;
-    double energy = 0.5 * setup->mass_kg * v * v, d = 1e-6, stored, force;
+    double energy = 0.5 * setup->mass_kg * v * v, d = 1e-6 * v, stored, force;
     if (!law->elastic_energy || energy == 0)
         return 0;
     for (int i = 0;; i++) { /* Newton's method for ln U over ln d, of slope F d/U: a power law takes one step */
@@ -47,8 +47,8 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
     s->phase = THUD_APPROACH;
     s->past_ultimate = false;
     thud_contact_set_mode(state, c, THUD_CLOSED);
-    bool pressed =
-        thud_contact_indentation(state, c) > THUD_TOL_PRESSED_M; /* from the start: the clearance is negative */
+    bool pressed = thud_contact_indentation(state, c) >
+                   THUD_TOL_CONTACT * state->length_m; /* from the start: the clearance is negative */
     thud_contact_renew_branch(state, c, s);
     /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
     bool from_zero = v == 0 && !pressed && s->branch.f0_n == 0 && s->branch.K == 0 && s->branch.D == 0;
@@ -201,7 +201,7 @@ static enum thud_status part(struct thud_state *state, struct thud_contact_log *
         thud_contact_released(state, log, c, time_s, at[1] / seg->h_s);
     }
     state->work->events++;
-    const bool there = thud_contact_indentation(state, c) >= -THUD_TOL_INDENTATION_M;
+    const bool there = thud_contact_indentation(state, c) >= -state->touch_m;
     const enum thud_status status = thud_contact_open(state, log, c, there, err);
     return status == THUD_OK ? thud_contact_log_event(log, state, time_s, c, THUD_EVENT_SEPARATION, 0, err) : status;
 }

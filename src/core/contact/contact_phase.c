@@ -38,7 +38,7 @@ void thud_contact_start(struct thud_state *state)
         const struct thud_law *law = thud_contact_law(state, c);
         memset(s, 0, sizeof *s);
         s->ultimate_m = thud_law_ultimate(law, thud_contact_setup(state, c), &s->memory, THUD_APPROACH);
-        s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
+        s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= state->touch_m;
     }
 }
 
@@ -137,7 +137,7 @@ void thud_contact_go_on(struct thud_state *state, int c, enum thud_phase phase, 
     thud_contact_set_mode(state, c, THUD_CLOSED);
     struct thud_contact_state *s = &state->contact[c];
     *s = thud_contact_in_phase(state, c, phase, d);
-    bool there = fabs(d - s->ultimate_m) <= THUD_TOL_INDENTATION_M; /* the law remembers this indentation */
+    bool there = fabs(d - s->ultimate_m) <= state->touch_m; /* the law remembers this indentation */
     s->suppressed = (struct thud_suppressed){.rate = rate_zeros, .branch = there ? 1 + rate_zeros : 0};
 }
 

@@ -81,6 +81,8 @@ struct thud_state {
 
     double ground_mps2; /* acceleration scale: peak of the ground motion */
     double speed_mps; /* velocity scale for rounding tests: largest initial speed of a floor plus that of the ground */
+    double length_m;  /* length scale: one second at that speed or acceleration, and how far floors start from rest */
+    double touch_m;   /* of it, below which an indentation is no contact */
     double fastest_radps; /* of the model */
 
     struct thud_work *work;     /* counters */
@@ -179,7 +181,7 @@ static inline bool thud_contact_acts(const struct thud_contact_state *s)
 static inline double thud_contact_least_force(const struct thud_state *state, int c)
 {
     return state->model->contact[c].setup.mass_kg *
-           thud_larger(THUD_TOL_GROUND_FORCE * state->ground_mps2, THUD_TOL_LEAST_ACCELERATION_MPS2);
+           thud_larger(THUD_TOL_GROUND_FORCE * state->ground_mps2, THUD_TOL_LEAST_ACCELERATION_PS2 * state->length_m);
 }
 
 /* Kinetic energy of the structures, and what their storeys would give back, J. */

@@ -27,7 +27,7 @@ static int next_event(const struct thud_state *state, int c)
 {
     double d = thud_contact_indentation(state, c), v;
     unsigned flags = state->model->contact[c].law->flags;
-    if (state->contact[c].mode == THUD_OPEN && (flags & THUD_LAW_NO_FORCE || d <= THUD_TOL_INDENTATION_M))
+    if (state->contact[c].mode == THUD_OPEN && (flags & THUD_LAW_NO_FORCE || d <= state->touch_m))
         return -1;
     v = thud_contact_rate(state, c);
     if (state->contact[c].mode == THUD_OPEN)

@@ -186,7 +186,7 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
         return crossing(v, &line, p, n, s_end, sign);
     if (s->mode == THUD_OPEN && line.suppressed >= n)
         return INFINITY;
-    return thud_poly_first_above(p, n, s_end, sign, line.suppressed, s->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0);
+    return thud_poly_first_above(p, n, s_end, sign, line.suppressed, s->mode == THUD_OPEN ? v->state->touch_m : 0);
 }
 
 /* Contact onset without speed, and only then pushed together: how many of the lowest orders the accuracy of the contact
@@ -341,7 +341,7 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
     for (int side = -1; side <= 1; side += 2) {
         p[0] = d[0] - s->plastic_m - side * bound;
         int suppressed = s->suppressed_side == side ? s->suppressed : 0;
-        double at = thud_poly_first_above(p, n, fmin(s_end, first), side, suppressed, THUD_TOL_INDENTATION_M);
+        double at = thud_poly_first_above(p, n, fmin(s_end, first), side, suppressed, state->touch_m);
         if (at < first) {
             first = at;
             *order = suppressed;

@@ -32,7 +32,8 @@ static int gather(const struct thud_state *state, int onset, int *set)
         const struct thud_contact_state *s = &state->contact[c];
         if (!(state->model->contact[c].law->flags & THUD_LAW_IMPULSIVE))
             continue;
-        bool in_contact = s->mode == THUD_OPEN && fabs(thud_contact_indentation(state, c)) <= THUD_TOL_CONTACT_M &&
+        bool in_contact = s->mode == THUD_OPEN &&
+                          fabs(thud_contact_indentation(state, c)) <= THUD_TOL_CONTACT * state->length_m &&
                           thud_contact_rate(state, c) >= -rest_speed(state);
         if (c == onset || s->mode == THUD_STICKING || in_contact)
             set[n++] = c;

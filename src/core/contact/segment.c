@@ -594,11 +594,12 @@ void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, do
 
 /* What rounding may leave of the difference of two neighbours' terms of order k. A stepping method's higher terms are
  * differences of its end states, whose rounding is that of the largest term. */
-static double term_noise(bool interpolates, int k, const double *size, double largest)
+static double term_noise(const struct thud_state *state, bool interpolates, int k, const double *size, double largest)
 {
     if (k == 0)
-        return THUD_TOL_INDENTATION_M;
-    double least = fmax(THUD_TOL_COEFFICIENT_M, (k == 1 ? THUD_TOL_RATE : THUD_TOL_COEFFICIENT) * size[k]);
+        return state->touch_m;
+    double least =
+        fmax(THUD_TOL_LEAST_COEFFICIENT * state->length_m, (k == 1 ? THUD_TOL_RATE : THUD_TOL_COEFFICIENT) * size[k]);
     return interpolates && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
 }
 
@@ -625,7 +626,8 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
         return 0;
     for (int k = 0; k < seg->terms; k++)
         largest = thud_larger(largest, size[k]);
-    while (suppressed < seg->terms && fabs(out[suppressed]) <= term_noise(seg->interpolates, suppressed, size, largest))
+    while (suppressed < seg->terms &&
+           fabs(out[suppressed]) <= term_noise(state, seg->interpolates, suppressed, size, largest))
         suppressed++;
     return suppressed;
 }

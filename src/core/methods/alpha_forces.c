@@ -48,7 +48,8 @@ static bool solve(const struct thud_state *state, struct thud_alpha_work *x, dou
         if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
             return false;
         for (int i = 0; i < n; i++) {
-            const double least = THUD_TOL_LEAST_ACCELERATION_MPS2 * state->model->contact[x->active[i]].setup.mass_kg;
+            const double least =
+                THUD_TOL_LEAST_ACCELERATION_PS2 * state->length_m * state->model->contact[x->active[i]].setup.mass_kg;
             double *force = &x->end[1].force[x->active[i]], change = fabs(x->change[i]), was = fabs(*force);
             if (!isfinite(change))
                 return false;

@@ -117,8 +117,8 @@ static double error_of(const struct thud_state *state, struct dormand_prince *x,
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         double scale = fmax(x->scale_mps2[s], largest_acceleration(m, p, end->qdd, ground));
-        error =
-            fmax(error, largest_acceleration(m, p, x->error.qdd, 0) / fmax(scale, THUD_TOL_LEAST_ACCELERATION_MPS2));
+        error = fmax(error, largest_acceleration(m, p, x->error.qdd, 0) /
+                                fmax(scale, THUD_TOL_LEAST_ACCELERATION_PS2 * state->length_m));
     }
     for (int c = 0; c < m->nrows; c++) {
         const struct thud_contact_state *contact = thud_row_contact(state, c);

@@ -126,7 +126,7 @@ void thud_step_motion_change(const struct thud_state *state, const struct thud_m
             continue;
         thud_model_sides(m, c, x->qd, &left, &right);
         thud_step_force(state, c, d, left - right, &by_d, &by_v);
-        if (fabs(more_d) > THUD_TOL_INDENTATION_M)
+        if (fabs(more_d) > state->touch_m)
             change->force[c] += by_d * more_d;
         if (fabs(more_v) > THUD_TOL_RATE * (fabs(left) + fabs(right)))
             change->force[c] += by_v * more_v;

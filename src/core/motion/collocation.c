@@ -77,7 +77,7 @@ struct thud_collocation {
     /* The system: unknowns are the forces of the active contacts at the nodes but the first */
     double *largest_n; /* (nc) force so far: scale on which errors count */
     int *active, *at;  /* (nc); place of a row among them, or -1 */
-    int nactive, most_active, capacity;
+    int nactive, capacity;
     const thud_vec2 **response;   /* (nactive x nactive) of one to the force of the other: of */
     const struct scheme *made_by; /* this scheme, NULL: of another set of rows, and */
     int made_level;               /* this level */
@@ -165,7 +165,7 @@ static inline double force_difference(const struct thud_state *state, const stru
     const int c = x->active[a];
     const double *force = x->force + a * n;
     if (x->begins[a].sticks) /* the force that would undo the rate in one step, but for rounding */
-        return state->model->contact[c].setup.mass_kg * thud_larger(fabs(motion[1]) - THUD_TOL_STICKING_M / h, 0) / h;
+        return state->model->contact[c].setup.mass_kg * thud_larger(fabs(motion[1]) - state->touch_m / h, 0) / h;
     double by_d, by_v, difference = law_at(x->begins[a].branch, motion, &by_d, &by_v);
     for (int k = 0; k < n; k++)
         difference -= force[k] * x->by->between[k][i];

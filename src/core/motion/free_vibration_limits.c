@@ -137,8 +137,7 @@ static bool closes_in_piece(const struct thud_state *state, const struct thud_se
         suppressed = 0;
     else if (suppressed < least)
         suppressed = least;
-    return suppressed < seg->terms &&
-           thud_poly_first_above(d, seg->terms, 1, 1, suppressed, THUD_TOL_INDENTATION_M) <= 1;
+    return suppressed < seg->terms && thud_poly_first_above(d, seg->terms, 1, 1, suppressed, state->touch_m) <= 1;
 }
 
 /* Whether one of the contacts that are near it closes in interval t. */
@@ -239,7 +238,7 @@ static bool find_near(struct thud_free_vibration *f, const struct thud_state *st
                end = side_value(left, u + 1) - side_value(right, u + 1);
         f->near[c] = start > f->limit[c] || end > f->limit[c];
         any |= f->near[c];
-        if (end > thud_state_clearance(state, c) + 2 * THUD_TOL_INDENTATION_M)
+        if (end > thud_state_clearance(state, c) + 2 * state->touch_m)
             f->certain = t;
     }
     return any;
@@ -273,7 +272,7 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
         for (int side = -1; side <= 1 && s->direction == 0; side += 2) {
             int suppressed = t == 0 && piece == 0 && s->suppressed_side == side ? s->suppressed : 0;
             d[0] = drift - s->plastic_m - side * state->model->storey[k].yield_m;
-            if (thud_poly_first_above(d, seg->terms, 1, side, suppressed, THUD_TOL_INDENTATION_M) <= 1)
+            if (thud_poly_first_above(d, seg->terms, 1, side, suppressed, state->touch_m) <= 1)
                 return true;
         }
     }
@@ -311,7 +310,7 @@ int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct 
 {
     for (int k = 0; k < state->model->nstoreys; k++) {
         const double limit = k == f->yields ? fill_rate(f, state, k) : fill_drift(f, state, k),
-                     past = k == f->yields ? 0 : state->model->storey[k].yield_m + 2 * THUD_TOL_INDENTATION_M;
+                     past = k == f->yields ? 0 : state->model->storey[k].yield_m + 2 * state->touch_m;
         if (thud_largest(f->gap, intervals + 1) <= limit && state->storey[k].suppressed == 0)
             continue;
         for (int t = 0; t < intervals; t++) {

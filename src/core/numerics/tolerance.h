@@ -29,15 +29,16 @@
 
 /* Displacement and rate. */
 
-/* m. Floors nearer to each other than this touch where an impulse falls on one of them: neighbours that moved together,
+/* Parts of the length scale of the run. */
+
+/* Floors nearer to each other than this touch where an impulse falls on one of them: neighbours that moved together,
  * or bounced down to rest, are apart by the rounding of many steps, and with a restitution near 0 a blow that is passed
- * on at once and one that follows a moment later end in other speeds. */
-#define THUD_TOL_CONTACT_M 1e-12
-/* m. An indentation below this is no contact: the rounding of displacements of some metres. */
-#define THUD_TOL_INDENTATION_M 1e-15
-/* m. An indentation at contact onset above this was there from the start (negative clearance): what the rounding of
- * event location leaves is below. */
-#define THUD_TOL_PRESSED_M 1e-12
+ * on at once and one that follows a moment later end in other speeds. An indentation at contact onset above this was
+ * there from the start (negative clearance): what the rounding of event location leaves is below. */
+#define THUD_TOL_CONTACT 1e-12
+/* An indentation below this is no contact, nor is a sticking contact's motion in one step: the rounding of displacements
+ * of some times the scale. */
+#define THUD_TOL_INDENTATION 1e-15
 /* Part of the sum of two floors' rates that rounding may leave of their difference: a rate is a state, not a sum of
  * large terms that cancel. */
 #define THUD_TOL_RATE 2e-14
@@ -70,8 +71,8 @@
 
 /* Coefficients of the power series of an indentation that starts at 0 (`guards suppressed at an event`). */
 
-/* m. Absolute floor. */
-#define THUD_TOL_COEFFICIENT_M 1e-20
+/* Part of the length scale of the run. */
+#define THUD_TOL_LEAST_COEFFICIENT 1e-20
 /* Part of the two floors' coefficients of order 2 and above, which are sums of large terms that cancel. */
 #define THUD_TOL_COEFFICIENT 1e-12
 /* The same for a stepping method, of the largest coefficient: its higher coefficients are differences of the states at
@@ -98,8 +99,6 @@
 #define THUD_TOL_STATE 2e-15
 /* Part of two positions that their rounding makes of the difference: two units in the last place of each. */
 #define THUD_TOL_POSITION 4.4e-16
-/* m. The same for the motion of a sticking contact in one step. */
-#define THUD_TOL_STICKING_M 1e-15
 /* Part of the force scale: floor of the error estimate of a polynomial through seven points. Without it the step never
  * grows again after a contact onset. */
 #define THUD_TOL_POLYNOMIAL 4e-12
@@ -107,8 +106,8 @@
 #define THUD_TOL_COLLOCATION 6e-11
 /* Part of a force that cancels another one, below which rounding hides what is left of both: 1e-13 was seen. */
 #define THUD_TOL_CANCELLED 1e-12
-/* m/s2, times the effective mass: least force scale where nothing moves. */
-#define THUD_TOL_LEAST_ACCELERATION_MPS2 1e-9
+/* 1/s2, times the length scale and the effective mass: least force scale where nothing moves. */
+#define THUD_TOL_LEAST_ACCELERATION_PS2 1e-9
 /* Part of the peak ground acceleration, times the effective mass: least force scale. */
 #define THUD_TOL_GROUND_FORCE 1e-6
 

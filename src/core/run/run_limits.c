@@ -96,12 +96,18 @@ static struct thud_run_ground ground_of(const struct thud_record *r)
 
 void thud_run_set_scales(struct thud_run *run, const struct thud_run *like)
 {
-    double first = 0;
+    double first = 0, moved_m = 0;
     run->ground = like && like->state.record == run->state.record ? like->ground : ground_of(run->state.record);
-    for (int i = 0; i < run->state.model->ndof; i++)
+    for (int i = 0; i < run->state.model->ndof; i++) {
         first = fmax(first, fabs(thud_model_floor(run->state.model, i, run->state.qd)));
+        moved_m = fmax(moved_m, fabs(thud_model_floor(run->state.model, i, run->state.q)));
+    }
+    for (int c = 0; c < run->state.model->ncontacts; c++)
+        moved_m = fmax(moved_m, thud_contact_indentation(&run->state, c));
     run->state.ground_mps2 = run->ground.peak_mps2;
     run->state.speed_mps = first + run->ground.speed_mps;
+    run->state.length_m = moved_m + fmax(run->state.speed_mps, run->state.ground_mps2); /* in 1 s */
+    run->state.touch_m = THUD_TOL_INDENTATION * run->state.length_m;
 }
 
 /* d sqrt(2 E)/dt <= |gamma| |a_g|, whatever the contacts do that give no energy: so sqrt(2 E) never passes its first
