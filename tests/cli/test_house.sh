@@ -1,6 +1,7 @@
 #!/bin/sh
 # The rules of the house, and proof that each check can fail.  TAP.
 set -u
+unset GIT_DIR GIT_INDEX_FILE GIT_WORK_TREE # of a hook or a rebase that calls this: the trees made here have their own
 BUILD=${BUILD:-build/release}
 CC=${CC:-cc}
 tools=tests/tools

@@ -163,13 +163,16 @@ const char *scenes_kind_name(enum scenes_kind kind)
     return names[kind];
 }
 
-/* Indentations that differ by what the program takes for no contact, times of contacts that hardly push, and forces of
- * rounding, by which neighbours that move alike are held together. */
+/* Indentations that differ by what the program takes for no contact, motions by what rounding makes of one that stands
+ * still (SI), times of contacts that hardly push, and forces of rounding, by which neighbours that move alike are held
+ * together. */
 static bool is_nothing(const struct scenes_number *x, const struct scenes_number *y, const double *natural)
 {
-    static const double touch_noise_m = 1e-14, force = 1e-8, time = 5e-10; /* 1/20 of the run, see find_natural */
+    static const double touch_noise_m = 1e-14, still = 1e-20, force = 1e-8,
+                        time = 5e-10; /* 1/20 of the run, see find_natural */
     double off = fabs(x->value - y->value);
-    return (x->kind == SCENES_INDENTATION && off < touch_noise_m) ||
+    const bool motion = (x->kind > SCENES_ACCELERATION && x->kind < SCENES_SHEAR) || x->kind == SCENES_LINK_STROKE;
+    return (x->kind == SCENES_INDENTATION && off < touch_noise_m) || (motion && off < still) ||
            ((x->kind == SCENES_FORCE || x->kind >= SCENES_COLUMN_SHEAR) &&
             fmax(x->value, y->value) < force * natural[SCENES_FORCE]) ||
            (x->kind == SCENES_TIME && off < time * natural[SCENES_TIME]);
