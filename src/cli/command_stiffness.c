@@ -148,7 +148,7 @@ static void put_rows(const struct thud_scene *scene, struct told *told)
         return;
     }
     thud_text_append(&told->text, "{");
-    thud_json_head(&told->text, scene->name);
+    thud_json_head_of(&told->text, 2, scene->name); /* 2: drifts are those of storeys, not of isolators */
     thud_json_list("springs", &springs, &told->text);
     thud_json_list("runs", &runs, &told->text);
     thud_text_append(&told->text, "}\n");

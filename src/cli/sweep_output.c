@@ -15,7 +15,7 @@ static void begin(struct thud_sweep_output *o)
         thud_sweep_csv_header(o->plan, THUD_SWEEP_CSV_FLOORS, &o->text);
     } else {
         thud_text_append(&o->text, "{");
-        thud_json_head(&o->text, o->plan->scene.name);
+        thud_json_head_of(&o->text, 2, o->plan->scene.name); /* 2: means of drifts are over storeys */
         thud_text_append(&o->text, ", \"rows\": [");
     }
 }

@@ -69,8 +69,21 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "a comparison of cases" gives 0 run isolated-moat --cases none --to 12s --quiet
     is "too" sh -c "grep -q '^ base  *[0-9.]*  *264.6$' '$tmp/out' && tr -s '\n ' '  ' <'$tmp/out' | grep -q 'and isolated at the base slab, '"
     is "a report" gives 0 report isolated-pendulum --to 8s --samples 0 --no-simplify --no-pdf -o "$tmp/rep" --quiet
-    is "names the isolators with the storeys whose ductility is theirs" grep -q 'largest ductility of the isolators and storeys of isolated is' "$tmp/rep/report.md"
-    is "among the criteria too" grep -q '^| largest ductility, also of isolators |' "$tmp/rep/report.md"
+    is "gives the storeys no ductility of the isolators" sh -c "! grep -q 'largest ductility' '$tmp/rep/report.md'"
+    is "one with limits" gives 0 report isolated-pendulum --to 8s --samples 0 --no-simplify --no-pdf --limit drift=5cm --limit isolator=20cm --limit isolator-permanent=1mm -o "$tmp/limits" --quiet
+    is "judges storeys and isolators by their own" [ "$(sed -n 's/^| largest \(drift\|isolator displacement\|permanent isolator displacement\) | [^|]*| \([0-9.]*\) .*/\2/p' "$tmp/limits/report.md" | tr '\n' ' ')" = "$("$THUD" run isolated-pendulum --to 8s --csv --quiet | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $1 == "isolated" && $2 == 1 { i = $c["drift_m"]; p = $c["permanent_m"] } $1 == "isolated" && $2 > 1 && $c["drift_m"] > d { d = $c["drift_m"] } END { printf "%.3g %.3g %.3g ", 1e3 * d, 1e3 * i, 1e3 * (p < 0 ? -p : p) }')" ]
+    is "a motion and its reverse" gives 0 sweep isolated-pendulum --records northridge-surrogate.csv,northridge-surrogate.csv:sign=- --vary record.peak=0.3g,0.6g --cases none --no-figures -o "$tmp/s" --quiet
+    # by the rows of sweep.csv: of floor 1 the isolators, of the others the storeys, of floor 0 the mean of those
+    is "tells drifts of storeys and displacements of isolators apart" awk -F, '
+        FNR == 1 { delete c; for (i = 1; i <= NF; i++) c[$i] = i; next }
+        FILENAME ~ /sweep/ && $c["floor"] == 0 { mean = $c["drift_m"]; d = sum = n = 0 }
+        FILENAME ~ /sweep/ && $c["floor"] == 1 { p = $c["permanent_m"]; sub(/^-/, "", p); k = k % 2 + 1; of[k] = $c["drift_m"] " " p }
+        FILENAME ~ /sweep/ && $c["floor"] > 1 { d = $c["drift_m"] > d ? $c["drift_m"] : d; sum += $c["drift_m"]; n++; most[k] = d }
+        FILENAME ~ /sweep/ && $c["floor"] == 5 { wrong += !(sum / n / mean - 1 < 1e-12 && 1 - sum / n / mean < 1e-12) }
+        FILENAME ~ /suite/ { rows++; wrong += ("ductility_median" in c) || $c["drift_m_median"] != most[rows] || $c["isolator_m_median"] " " $c["isolator_permanent_m_median"] != of[rows] }
+        END { exit wrong > 0 || rows != 2 }' "$tmp/s/sweep.csv" "$tmp/s/suite.csv"
+    is "an event of storeys that cannot yield" gives 2 fragility isolated-pendulum --vary record.peak=0.2g,0.897g --cases none --event ductility:2 --quiet
+    is "is refused" says 'no run of this study has a value for it: largest ductility'
     is "events" gives 0 run isolated-pendulum --events --to 6s --quiet
     is "are of the isolators, with their force" shows '^  *1\.48.* isolated, isolators yield .* -756\.9'
     is "fragility" gives 0 fragility isolated-pendulum --vary record.peak=0.2g,0.897g --cases none --event isolator:20cm -o "$tmp/f" --quiet

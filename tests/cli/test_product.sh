@@ -163,7 +163,7 @@ case $name in rigid*) allowed="$allowed contacts.csv:record needed-gaps.csv:reco
     sample-results.csv:value uncertainty.csv:nominal uncertainty.csv:p5 uncertainty.csv:median uncertainty.csv:p95"
 allowed="$allowed bench.csv:seconds bench.csv:error bench.csv:error_acceleration bench.csv:error_drift bench.csv:error_force bench.csv:impact_time_s
     bench.csv:processor_s restitutions.csv:nominal verdicts.csv:scene_growth" # of methods that do not get so far
-for measure in force_n acceleration_mps2 acceleration_ratio drift_m drift_angle drift_ratio ductility isolator_m permanent_m shear_over_capacity link_n; do
+for measure in force_n acceleration_mps2 acceleration_ratio drift_m drift_angle drift_ratio ductility isolator_m isolator_permanent_m permanent_m shear_over_capacity link_n; do
     allowed="$allowed suite.csv:${measure}_p84" # two motions have no fractiles
 done
 

@@ -234,7 +234,7 @@ more() { "$THUD" fragility "$tmp/own.yaml" --records "$three" --factor 0.4 --eve
 is "a limit below the value that is enough for 84 % is passed by a motion of a fragility" [ "$(more 0.98)" -ge 1 ]
 is "one above it by none" [ "$(more 1.02)" -eq 0 ]
 is "an unknown limit" report 2 "$tmp/own.yaml" --limit sway=1
-is "is refused with those there are" says 'limit: "sway=1" is not a limit (force=5MN, acceleration=1g, drift=3cm, drift=1%, ductility=2, permanent=1cm, isolator=30cm, column=1, strain=80%, link=500kN)'
+is "is refused with those there are" says 'limit: "sway=1" is not a limit (force=5MN, acceleration=1g, drift=3cm, drift=1%, ductility=2, permanent=1cm, isolator=30cm, isolator-permanent=5cm, column=1, strain=80%, link=500kN)'
 sed 's/force: 5 MN/sway: 5 MN/' "$tmp/limits.yaml" >"$tmp/sway.yaml"
 is "and one of a preset" report 3 "$tmp/sway.yaml"
 is "at its line" says 'sway.yaml:[0-9]*:[0-9]*: document.limits: "sway:5 MN" is not a limit'

@@ -61,7 +61,7 @@ static void put(FILE *to, const char *text, size_t size)
         return;
     }
     size_t head = end ? (size_t)(end - text) + 1 : size;
-    fprintf(to, "thud-sweep-journal 3 %s 0123456789abcdef 1 1 %zu\n", THUD_VERSION, head);
+    fprintf(to, "thud-sweep-journal 5 %s 0123456789abcdef 1 1 %zu\n", THUD_VERSION, head);
     fwrite(text, 1, head, to);
     for (const char *line = end ? end + 5 : stop; line < stop;) {
         const char *newline = memchr(line, '\n', (size_t)(stop - line));

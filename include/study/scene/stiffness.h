@@ -28,10 +28,11 @@ struct thud_stiffness_row {
     int impacts;
     double force_n; /* the largest of all contacts */
     double acceleration_mps2[THUD_STRUCTURES_MAX],
-        drift_m[THUD_STRUCTURES_MAX]; /* the largest of a structure's floors */
+        drift_m[THUD_STRUCTURES_MAX]; /* the largest of a structure's floors, and of its storeys */
 };
-/* Takes the results of a finished run, with a factor of 0. */
-void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row);
+/* Takes the results of a finished run of the scene, with a factor of 0. */
+void thud_stiffness_row_read(const struct thud_scene *scene, const struct thud_result *result,
+                             struct thud_stiffness_row *row);
 enum { THUD_STIFFNESS_ROWS = 3 }; /* half, nominal, twice */
 
 /* Runs the scene (of a case) at each factor; *n is 0 where nothing can be varied. Errors: those of

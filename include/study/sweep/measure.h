@@ -16,8 +16,8 @@ enum thud_measure {
     THUD_MEASURE_INDENTATION,  /* largest of all contacts, m */
     THUD_MEASURE_SHEAR,        /* largest of the columns that slabs strike, N; NaN: none is struck */
     THUD_MEASURE_ACCELERATION, /* largest of the floors, m/s2 */
-    THUD_MEASURE_DRIFT,        /* largest of the storeys, m */
-    THUD_MEASURE_DRIFT_ANGLE,  /* the same over the storey's height; without the isolators' */
+    THUD_MEASURE_DRIFT,        /* largest of the storeys, m; isolators are none, here and in what follows */
+    THUD_MEASURE_DRIFT_ANGLE,  /* the same over the storey's height */
     THUD_MEASURE_MEAN_ACCELERATION,
     THUD_MEASURE_MEAN_DRIFT,
     THUD_MEASURE_ACCELERATION_RATIO, /* of the means, to the point's reference; NaN for 0/0 */
@@ -29,9 +29,10 @@ enum thud_measure {
     THUD_MEASURE_DISPLACEMENT_FREE_RATIO,
     THUD_MEASURE_EXCURSIONS, /* how many times the storey below a floor yielded, and the energy lost in it, J */
     THUD_MEASURE_HYSTERETIC,
-    THUD_MEASURE_DUCTILITY, /* largest drift over yield drift of the storeys that yield; NaN: none does */
-    THUD_MEASURE_PERMANENT, /* largest size of the permanent drift of those, m */
-    THUD_MEASURE_ISOLATOR,  /* largest displacement of its isolators, m; NaN: it has none */
+    THUD_MEASURE_DUCTILITY,          /* largest drift over yield drift of the storeys that yield; NaN: none does */
+    THUD_MEASURE_PERMANENT,          /* largest size of the permanent drift of those, m */
+    THUD_MEASURE_ISOLATOR,           /* largest displacement of its isolators, m; NaN: it has none */
+    THUD_MEASURE_ISOLATOR_PERMANENT, /* its size where they carry no force at the end, m; NaN: none yields or slides */
     THUD_MEASURE_COLUMNS,   /* largest shear over capacity of the columns that slabs strike; NaN: none, or not given */
     THUD_MEASURE_STRAIN,    /* largest compression of a bumper over its thickness; NaN: there is none */
     THUD_MEASURE_LINK,      /* largest force of all links, N; NaN: there are none */
@@ -51,12 +52,13 @@ enum thud_measure_document {
 
 /* Features that a scene must have for a measure. */
 enum {
-    THUD_HAS_YIELDING = 1,    /* storeys that may yield */
-    THUD_HAS_ISOLATORS = 2,   /* a structure on isolators */
-    THUD_HAS_COLUMNS = 4,     /* columns that slabs strike */
-    THUD_HAS_CAPACITY = 8,    /* and a capacity of columns */
-    THUD_HAS_REFERENCE = 16,  /* another run to compare with */
-    THUD_HAS_LINK_FORCES = 32 /* links */
+    THUD_HAS_YIELDING = 1,     /* storeys that may yield */
+    THUD_HAS_ISOLATORS = 2,    /* a structure on isolators */
+    THUD_HAS_COLUMNS = 4,      /* columns that slabs strike */
+    THUD_HAS_CAPACITY = 8,     /* and a capacity of columns */
+    THUD_HAS_REFERENCE = 16,   /* another run to compare with */
+    THUD_HAS_LINK_FORCES = 32, /* links */
+    THUD_HAS_SLIDING = 64      /* isolators that yield or slide */
 };
 
 /* Run of a finished point. */
@@ -72,6 +74,7 @@ struct thud_measure_info {
     enum thud_dimension kind;   /* each document chooses the unit */
     bool of_structure;          /* else of the run */
     bool unknown;               /* of several the largest is not known where one is not; else that one gives way */
+    bool of_storeys;            /* over several rows of floors: of those that have a storey below */
     unsigned needs;             /* THUD_HAS_... */
     enum thud_measure ratio_of; /* a ratio to the reference: the measure that it is of; else 0 */
     bool free;                  /* of floors: a ratio to no pounding */
@@ -92,8 +95,9 @@ const struct thud_measure_info *thud_measure_info(enum thud_measure measure);
 int thud_measure_place(enum thud_measure_document document, int nstructures, enum thud_measure measure);
 /* Lists the measures that a document reports of what has `features`, in its order; returns how many. */
 int thud_measures_told(enum thud_measure_document document, unsigned features, enum thud_measure told[THUD_MEASURES]);
-/* Returns the features of a plan's scenes, THUD_HAS_COLUMNS aside. */
-unsigned thud_measure_features(const struct thud_sweep_plan *plan);
+/* Return the features of a structure, and of a scene with its links: neither THUD_HAS_COLUMNS nor THUD_HAS_REFERENCE. */
+unsigned thud_structure_features(const struct thud_structure *structure);
+unsigned thud_scene_features(const struct thud_scene *scene);
 
 /* Returns the larger of two values of a measure: unknown if either is, or that one is ignored (`unknown`). */
 double thud_measure_larger(const struct thud_measure_info *info, double a, double b);

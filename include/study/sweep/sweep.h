@@ -39,7 +39,7 @@ struct thud_sweep_plan {
     struct thud_sweep_axis
         axis[THUD_VARY_MAX]; /* keys that change the response without pounding come first; the last varies fastest */
     int nouter;              /* how many do */
-    bool yields;             /* a storey of some point does: the scene's, or by a varied key */
+    unsigned has;            /* THUD_HAS_... of the structures of some point: the scene's, or by a varied key */
     int ncases;
     enum thud_case cases[THUD_SWEEP_CASES_MAX];
     unsigned shortcuts;
@@ -129,7 +129,7 @@ struct thud_sweep_point {
     bool awaited[THUD_SWEEP_CASES_MAX + 1]; /* result of another point, filled in before anything is read */
     int nvariants;                          /* 1, or THUD_SWEEP_VARIANTS */
     struct thud_sweep_changed changed;
-    int floors[THUD_STRUCTURES_MAX]; /* (nstructures) */
+    int floors[THUD_STRUCTURES_MAX], first_storey[THUD_STRUCTURES_MAX]; /* (nstructures) */
     struct thud_sweep_floor
         *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no result; the last is no pounding */
     struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no result */

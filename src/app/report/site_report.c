@@ -106,7 +106,7 @@ static enum thud_status run_reversed(struct site *site, struct thud_error *err)
     if (status == THUD_OK)
         status = thud_scene_solve(site->own->scene, turned, NULL, &solution, err);
     if (status == THUD_OK)
-        thud_stiffness_row_read(thud_run_result(solution.run), &site->reversed);
+        thud_stiffness_row_read(site->own->scene, thud_run_result(solution.run), &site->reversed);
     thud_solution_clear(&solution);
     thud_record_free(turned);
     return status;

@@ -163,7 +163,7 @@ static void criterion(struct site *site, enum thud_measure measure)
     double *room = site->suite.room;
     char shown[32];
     int governing = 0;
-    bool any = false, isolators = false;
+    bool any = false;
     for (int r = 0; r < site->suite.runs->nrecords; r++) {
         room[r] = thud_suite_value(site->suite.runs, r, site->suite.as_given, own, measure, -1);
         governing = room[r] > room[governing] || isnan(room[governing]) ? r : governing;
@@ -172,9 +172,7 @@ static void criterion(struct site *site, enum thud_measure measure)
     if (!any && !*limit->text)
         return;
     const double value = thud_site_decided(site);
-    for (int s = 0; measure == THUD_MEASURE_DUCTILITY && s < site->scene->nstructures && !isolators; s++)
-        isolators = site->scene->structure[s].kind == THUD_ISOLATED && thud_isolator_slides(&site->scene->structure[s]);
-    thud_document_cell(&site->document, "%s%s", info->words, isolators ? ", also of isolators" : "");
+    thud_document_cell(&site->document, "%s", info->words);
     add_criterion(site, *limit->text ? limit->text + strcspn(limit->text, ":=") + 1 : "no limit given", value,
                   *limit->text ? limit->limit : NAN, value_text(info, value, shown, sizeof shown), governing,
                   "#Results");

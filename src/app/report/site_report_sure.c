@@ -6,6 +6,7 @@
 
 #include "app/report/site_report_private.h"
 #include "app/run/summary_line.h"
+#include "study/scene/level.h"
 
 /* ---- one input at a time ---- */
 
@@ -39,7 +40,7 @@ static void sensitivity(struct site *site)
     struct thud_document *d = &site->document;
     const struct thud_sensitivity *s = site->sensitivity;
     const struct thud_result *r = site->own->result;
-    char what[400], between[320];
+    char what[400], between[320], level[24];
     if (!s)
         return;
     snprintf(what, sizeof what, "Largest change of each peak, %%, when one input is %.0f %% less or more (%s)",
@@ -55,12 +56,13 @@ static void sensitivity(struct site *site)
     }
     thud_document_row(d);
     for (int k = 0, row = 0; k < r->nstructures; row += r->structure[k].floors, k++) {
-        int a = 0, b = 0;
+        const int slab = thud_structure_first_storey(&site->scene->structure[k]);
+        int a = 0, b = slab;
         double most = NAN;
         for (int i = 0; i < r->structure[k].floors; i++) {
             most = fmax(most, thud_floor_acceleration(r, k, i));
             a = thud_floor_acceleration(r, k, i) >= most ? i : a;
-            b = r->structure[k].floor[i].drift.value > r->structure[k].floor[b].drift.value ? i : b;
+            b = i >= slab && r->structure[k].floor[i].drift.value > r->structure[k].floor[b].drift.value ? i : b;
         }
         if (r->structure[k].floors == 0)
             continue;
@@ -69,12 +71,13 @@ static void sensitivity(struct site *site)
             add_sensitivity_row(site, what, most / THUD_GRAVITY, "g", &s->floor[row + a][0]);
         if (!thud_site_is_building(site, k))
             continue;
-        const int slab = site->scene->structure[k].kind == THUD_ISOLATED; /* its storey is the isolators */
-        if (b < slab)
-            snprintf(what, sizeof what, "drift of the isolators of %s", thud_site_name(site, k));
-        else
-            snprintf(what, sizeof what, "drift of storey %d of %s", b + 1 - slab, thud_site_name(site, k));
-        add_sensitivity_row(site, what, 1e3 * r->structure[k].floor[b].drift.value, "mm", &s->floor[row + b][3]);
+        for (int i = 0; i <= b; i++) { /* the isolators, and the storey */
+            if (i >= slab && i < b)
+                continue;
+            snprintf(what, sizeof what, "drift of %s%s of %s", i < slab ? "the " : "",
+                     thud_structure_level_name(&site->scene->structure[k], i, true, level), thud_site_name(site, k));
+            add_sensitivity_row(site, what, 1e3 * r->structure[k].floor[i].drift.value, "mm", &s->floor[row + i][3]);
+        }
     }
     const struct thud_contact_result *most = thud_site_strongest(r);
     if (most) {
@@ -120,12 +123,10 @@ static void add_sampled_row(struct site *site, int q)
     const bool gap = quantity->measure == THUD_MEASURE_GAP, same = t->low == t->high && t->nominal == t->median;
     const struct thud_site_unit unit = unit_of(quantity);
     const char *what = strstr(quantity->name, ": ");
-    const bool isolators = thud_measure_info(quantity->measure)->kind == THUD_LENGTH && quantity->structure >= 0 &&
-                           site->scene->structure[quantity->structure].kind == THUD_ISOLATED;
     if (what)
-        thud_document_cell(d, "%c%s%s%s%s",
+        thud_document_cell(d, "%c%s%s%s",
                            thud_site_letter(quantity->which == THUD_CASE_NONE ? SITE_NONE : site->ncases - 1), what,
-                           isolators ? " or its isolators" : "", *unit.name ? "," : "", unit.name);
+                           *unit.name ? "," : "", unit.name);
     else
         thud_document_cell(d, "%s%s%s", quantity->name, *unit.name ? "," : "", unit.name);
     for (size_t i = 0; i < sizeof value / sizeof *value; i++)
@@ -214,8 +215,7 @@ static void stiffness(struct site *site)
     thud_document_cells(d, "scene\timpacts\tforce MN");
     for (int s = 0; s < site->scene->nstructures; s++)
         if (site->scene->structure[s].kind != THUD_WALL)
-            thud_document_cells(d, "a of %s g\td of %s%s mm", thud_site_name(site, s), thud_site_name(site, s),
-                                site->scene->structure[s].kind == THUD_ISOLATED ? " or its isolators" : "");
+            thud_document_cells(d, "a of %s g\td of %s mm", thud_site_name(site, s), thud_site_name(site, s));
     thud_document_row(d);
     bool nominal = false; /* of each kind the same */
     for (int k = 0; k < THUD_STIFFNESSES; k++)

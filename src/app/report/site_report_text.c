@@ -26,7 +26,7 @@ int thud_site_storeys(const struct site *site, int *past)
     const struct thud_result *r = site->own->result;
     int n = 0, over = 0;
     for (int s = 0; s < r->nstructures; s++)
-        for (int f = site->scene->structure[s].kind == THUD_ISOLATED;
+        for (int f = thud_structure_first_storey(&site->scene->structure[s]);
              r->structure[s].storey && f < r->structure[s].floors; f++) {
             n += r->structure[s].storey[f].yields;
             over += r->structure[s].storey[f].yields && r->structure[s].storey[f].ductility > 1;
@@ -87,7 +87,7 @@ void thud_site_effect(const struct site *site, const struct site_case *one, bool
     const int table = drifts ? FLOOR_DRIFT : FLOOR_ACCELERATION;
     count[LOWER] = count[SAME] = count[HIGHER] = 0;
     for (int s = 0; s < site->scene->nstructures; s++)
-        for (int i = drifts && site->scene->structure[s].kind == THUD_ISOLATED; /* without the isolators */
+        for (int i = drifts ? thud_structure_first_storey(&site->scene->structure[s]) : 0;
              i < site->own->result->structure[s].floors; i++) {
             const enum side side = side_of(ratio_of(site, one, s, i, table));
             if (side != NOWHERE)
@@ -99,7 +99,8 @@ void thud_site_effect(const struct site *site, const struct site_case *one, bool
 static double largest_of(const struct site_case *one, int s, int table)
 {
     double most = NAN;
-    for (int f = 0; f < one->result->structure[s].floors; f++)
+    int f = floor_table[table].storeys ? thud_structure_first_storey(&one->scene->structure[s]) : 0;
+    for (; f < one->result->structure[s].floors; f++)
         most = fmax(most, floor_value(one, s, f, table)); /* a NaN gives way */
     return most;
 }
@@ -107,8 +108,6 @@ static double largest_of(const struct site_case *one, int s, int table)
 /* Storeys that yield, in every case. */
 static void say_yielding(struct site *site, int s)
 {
-    const struct thud_structure *p = &site->scene->structure[s];
-    const bool isolators = p->kind == THUD_ISOLATED && thud_isolator_slides(p);
     char said[400] = "";
     for (int i = 0; i < site->ncases; i++) {
         double ductility = largest_of(&site->cases[i], s, FLOOR_DUCTILITY);
@@ -117,8 +116,8 @@ static void say_yielding(struct site *site, int s)
         thud_append(said, sizeof said, "%s%.2f %s (%.1f mm stay)", i ? ", " : "", ductility, site->cases[i].words,
                     1e3 * largest_of(&site->cases[i], s, FLOOR_PERMANENT));
     }
-    thud_document_item(&site->document, "The largest ductility of the %sstoreys of %s is %s; up to 1 they are elastic.",
-                       isolators ? "isolators and " : "", thud_site_name(site, s), said);
+    thud_document_item(&site->document, "The largest ductility of the storeys of %s is %s; up to 1 they are elastic.",
+                       thud_site_name(site, s), said);
 }
 
 static double larger_of(const struct thud_column_result *r, enum thud_column_quantity lower)
@@ -230,7 +229,7 @@ static void add_case_table(struct site *site, int s, int which)
     thud_document_row(d);
     for (int f = site->cases[0].result->structure[s].floors - 1; f >= 0; f--) {
         double value[SITE_CASES];
-        const int slab = table->storeys && site->scene->structure[s].kind == THUD_ISOLATED;
+        const int slab = table->storeys ? thud_structure_first_storey(&site->scene->structure[s]) : 0;
         if (f < slab)
             thud_document_cell(d, "isolators");
         else if (f == 0 && site->scene->structure[s].kind == THUD_ISOLATED)

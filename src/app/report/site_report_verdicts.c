@@ -11,6 +11,7 @@
 #include "core/methods/method.h"
 #include "ground/identity.h"
 #include "io/preset/preset.h"
+#include "study/scene/level.h"
 
 void thud_site_verdict(struct site *site, const char *what, const char *found)
 {
@@ -198,7 +199,7 @@ static void governing_rows(struct site *site)
     }
     if (drift > 0) {
         const struct thud_structure_result *b = &r->structure[under[0]];
-        const int f = under[1] - (site->scene->structure[under[0]].kind != THUD_ISOLATED); /* its storey, from 0 */
+        const int f = under[1] - 1 + thud_structure_first_storey(&site->scene->structure[under[0]]);
         snprintf(text, sizeof text, "%s mm, %s %% of the height, storey %d of %s",
                  thud_site_number(1e3 * b->floor[f].drift.value, 3).text, thud_site_number(100 * drift, 2).text,
                  under[1], thud_site_name(site, under[0]));

@@ -6,6 +6,7 @@
 #include "app/run/live_work.h"
 #include "base/largest.h"
 #include "plot/figures/figures_case.h"
+#include "study/scene/level.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"
 #include "study/scene/spacing.h"
@@ -226,6 +227,8 @@ void thud_live_start(struct thud_live *live, const struct thud_scene *scene, con
     thud_live_stop(live);
     live->running = false;
     live->measures = thud_scene_measures(scene);
+    for (int s = 0; s < scene->nstructures; s++)
+        live->first_storey[s] = thud_structure_first_storey(&scene->structure[s]);
     live->history = history;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         struct thud_live_case *c = &live->which[i];
@@ -360,8 +363,9 @@ double thud_live_peak(const struct thud_live *live, enum thud_live_which which, 
 {
     const struct thud_result *result = shown(live, which);
     int floors = result && structure < result->nstructures ? result->structure[structure].floors : 0;
+    const bool of_floors = kind != THUD_PEAK_DRIFT && kind < THUD_PEAK_DUCTILITY;
     double most = floors > 0 ? 0.0 : NAN;
-    for (int i = 0; i < floors; i++)
+    for (int i = of_floors ? 0 : live->first_storey[structure]; i < floors; i++)
         most = thud_larger(most, thud_live_floor(live, which, structure, i, kind));
     return most;
 }

@@ -56,7 +56,8 @@ struct thud_live {
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;
-    int measures; /* of the scene, for the names of its cases */
+    int measures;                          /* of the scene, for the names of its cases */
+    int first_storey[THUD_STRUCTURES_MAX]; /* of its structures */
     enum thud_live_history history;
     int threads;                  /* that compute: 0 one a processor; negative: none, thud_live_advance does */
     struct thud_live_work *work;  /* while running; its runs are not to be touched. NULL: none */
@@ -91,7 +92,8 @@ const struct thud_result *thud_live_result(const struct thud_live *live, enum th
 /* Whether what a case shows is still that of before the last change. */
 bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which);
 
-/* Largest peaks over the floors of structure `s` (from 0). NaN where the case is neither DONE nor old. */
+/* Largest peaks over the floors of structure `s` (from 0), or over its storeys. NaN where the case is neither DONE nor
+ * old. */
 enum thud_peak_kind {
     THUD_PEAK_ACCELERATION,
     THUD_PEAK_DRIFT,

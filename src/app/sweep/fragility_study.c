@@ -218,7 +218,7 @@ static enum thud_status refuse_event(const struct thud_event *event, struct thud
 enum thud_status thud_fragility_check(const struct thud_fragility_study *study, const struct thud_sweep_plan *plan,
                                       struct thud_error *err)
 {
-    const unsigned features = thud_measure_features(plan);
+    const unsigned features = THUD_HAS_REFERENCE | plan->has;
     for (int e = 0; e < study->nevents; e++)
         if (thud_measure_info(study->event[e].measure)->needs & ~features)
             return refuse_event(&study->event[e], err);

@@ -365,7 +365,7 @@ void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct th
     const struct thud_rows quantities = thud_uncertainty_rows(study, THUD_UNCERTAINTY_QUANTITIES),
                            effects = thud_uncertainty_rows(study, THUD_UNCERTAINTY_EFFECTS);
     thud_text_append(out, "{");
-    thud_json_head(out, u->scene.name);
+    thud_json_head_of(out, 2, u->scene.name); /* 2: drifts are those of storeys, not of isolators */
     thud_text_append(
         out, ", \"samples\": %zu, \"collapsed\": %zu, \"sampling\": \"%s\", \"seed\": %llu, \"quantities\": [",
         thud_uncertainty_samples(study), count_collapsed(study), thud_sampling_name(study->sampling), study->seed);

@@ -58,10 +58,11 @@ static const struct thud_column floors[] = {
     FLOOR(which, "case", "Case: none, bumper, cavity or as-written."),
     FLOOR(own.gap_m, "gap_m", "Gap of the first interface, m."),
     FLOOR(structure, "structure", "Name of the structure."),
-    FLOOR(own.floor, "floor", "Floor from 1; 0 for the mean over the floors."),
+    FLOOR(own.floor, "floor",
+          "Floor from 1; 0 for the mean over the floors, of drifts over the storeys (isolators are none)."),
     OF(ACCELERATION, "acceleration_mps2",
        "Peak total acceleration, m/s2; empty on a floor struck by impulses, as is the mean over its structure."),
-    OF(DRIFT, "drift_m", "Peak drift, m."),
+    OF(DRIFT, "drift_m", "Peak drift, m; of floor 1 of an isolated building that of its isolators."),
     OF(DISPLACEMENT, "displacement_m", "Peak displacement relative to the ground, m."),
     OF(ACCELERATION_RATIO, "acceleration_ratio", "Acceleration over that of case none at the same values."),
     OF(DRIFT_RATIO, "drift_ratio", "Drift over that of case none at the same values."),
@@ -80,11 +81,11 @@ static const struct thud_column floors[] = {
     ENDS(DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "", ""),
     THUD_STANDS_FOR("KEY",
                     "Value of a varied key except the gap, with its unit as in bumper.thickness_m, in SI units.")};
-const struct thud_schema thud_sweep_floor_schema =
-    THUD_SCHEMA("sweep.csv",
-                "Written by\n.Cm sweep ,\nalso to standard output with\n.Fl -csv\nor, as objects,\n.Fl -json :\n"
-                "a row for each run and floor; where storeys of the scene yield, with\n.Sx sweep.csv of storeys .\n",
-                floors);
+const struct thud_schema thud_sweep_floor_schema = THUD_SCHEMA(
+    "sweep.csv",
+    "Written by\n.Cm sweep ,\nalso to standard output with\n.Fl -csv\nor, as objects,\n.Fl -json :\n"
+    "a row for each run and floor; where storeys or isolators of the scene\nyield, with\n.Sx sweep.csv of storeys .\n",
+    floors);
 
 static const struct thud_column storeys[] = {
     OF(DUCTILITY, "ductility",
@@ -103,7 +104,8 @@ static const struct thud_column storeys[] = {
           "those up to the collapse, and there are no ratios.")};
 const struct thud_schema thud_sweep_storey_schema = THUD_SCHEMA(
     "sweep.csv of storeys",
-    "At the end of each row: the last one;\nbefore it, if storeys of the scene yield, the others.\n", storeys);
+    "At the end of each row: the last one;\nbefore it, if storeys or isolators of the scene yield, the others.\n",
+    storeys);
 
 /* ---- contacts ---- */
 
@@ -222,7 +224,7 @@ static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv wh
     thud_axis_columns(plan, out->shown, &out->axes);
     if (which == THUD_SWEEP_CSV_FLOORS) {
         out->last = thud_sweep_storey_schema;
-        if (!plan->yields) { /* the last column alone */
+        if (!(plan->has & (THUD_HAS_YIELDING | THUD_HAS_SLIDING))) { /* the last column alone */
             out->last.column += out->last.n - 1;
             out->last.n = 1;
         }

@@ -11,7 +11,7 @@
 #include "base/version.h"
 #include "io/result/sweep_journal_private.h"
 
-enum { FORMAT = 4 };
+enum { FORMAT = 5 };
 
 /* A file may have ends of lines in its name. */
 static void put_line(const char *word, const char *text, struct thud_text *out)

@@ -28,9 +28,14 @@ int thud_structure_floors(const struct thud_structure *s)
     return 0;
 }
 
+int thud_structure_first_storey(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_ISOLATED;
+}
+
 int thud_structure_storey(const struct thud_structure *structure, int floor)
 {
-    return floor + 1 - (structure->kind == THUD_ISOLATED);
+    return floor + 1 - thud_structure_first_storey(structure);
 }
 
 const char *thud_structure_level_name(const struct thud_structure *structure, int floor, bool storey, char text[24])

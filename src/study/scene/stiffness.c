@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "study/scene/level.h"
 #include "study/scene/solution.h"
 
 double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa)
@@ -57,14 +58,16 @@ bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, d
     return any;
 }
 
-void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row)
+void thud_stiffness_row_read(const struct thud_scene *scene, const struct thud_result *result,
+                             struct thud_stiffness_row *row)
 {
     *row = (struct thud_stiffness_row){0};
     for (int s = 0; s < result->nstructures; s++) {
         row->acceleration_mps2[s] = NAN; /* what has none gives way */
         for (int i = 0; i < result->structure[s].floors; i++) {
             row->acceleration_mps2[s] = fmax(row->acceleration_mps2[s], thud_floor_acceleration(result, s, i));
-            row->drift_m[s] = fmax(row->drift_m[s], result->structure[s].floor[i].drift.value);
+            if (thud_structure_storey(&scene->structure[s], i) > 0)
+                row->drift_m[s] = fmax(row->drift_m[s], result->structure[s].floor[i].drift.value);
         }
     }
     const struct thud_contact_sum contacts = thud_contacts_sum(result, 0);
@@ -87,7 +90,7 @@ enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struc
             break;
         status = thud_scene_solve(changed, record, NULL, &solution, err);
         if (status == THUD_OK) {
-            thud_stiffness_row_read(thud_run_result(solution.run), &row[*n]);
+            thud_stiffness_row_read(changed, thud_run_result(solution.run), &row[*n]);
             row[(*n)++].factor = factor[i];
         }
         thud_solution_clear(&solution);

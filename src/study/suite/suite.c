@@ -31,7 +31,7 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->nrecords = plan->nrecords > 0 ? plan->nrecords : 1;
         suite->settings = thud_sweep_points(plan) / suite->nrecords;
         suite->nstructures = plan->scene.nstructures;
-        suite->features = thud_measure_features(plan);
+        suite->features = THUD_HAS_REFERENCE | plan->has;
         for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
             suite->at[m] = suite->nvalues;
             suite->nvalues += !thud_measure_info(m)->read          ? 0

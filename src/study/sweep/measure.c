@@ -7,19 +7,21 @@
 #include "base/largest.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
+#include "study/scene/scene_elements.h"
 #include "study/sweep/sweep_private.h"
 
 /* ---- readers ---- */
 
-/* The floors of a structure, or of all of them (-1), in the point's case k. */
-static const struct thud_sweep_floor *floors_of(const struct thud_measured_run *run, int k, int structure, int *n)
+/* The floors of a structure in case k of a variant: all, or those above storeys (a row of isolators is none). */
+static const struct thud_sweep_floor *floors_of(const struct thud_sweep_point *p, int variant, int k, int structure,
+                                                bool storeys, int *n)
 {
-    const struct thud_sweep_point *p = run->point;
-    const struct thud_sweep_floor *first = thud_sweep_floors(p, 0, k);
-    *n = structure < 0 ? p->nfloors : p->floors[structure];
+    const struct thud_sweep_floor *first = thud_sweep_floors(p, variant, k);
+    const int from = storeys ? p->first_storey[structure] : 0;
     for (int s = 0; s < structure; s++)
         first += p->floors[s];
-    return first;
+    *n = p->floors[structure] - from;
+    return first + from;
 }
 
 static double field_of(const void *row, const struct thud_measure_info *info)
@@ -38,7 +40,7 @@ static double largest_of_floors(const struct thud_measured_run *run, const struc
                                 int structure)
 {
     int n;
-    const struct thud_sweep_floor *floor = floors_of(run, run->k, structure, &n);
+    const struct thud_sweep_floor *floor = floors_of(run->point, 0, run->k, structure, info->of_storeys, &n);
     double most = n > 0 ? fabs(field_of(floor, info)) : (double)NAN;
     for (int i = 1; i < n; i++)
         most = thud_measure_larger(info, most, fabs(field_of(&floor[i], info)));
@@ -61,15 +63,13 @@ static int reference_of(const struct thud_sweep_point *point)
 static double floor_of(const struct thud_sweep_point *p, int variant, int k, const struct thud_measure_info *info,
                        int structure, int floor)
 {
-    const struct thud_sweep_floor *x = thud_sweep_floors(p, variant, k);
     const bool yielding = info->needs & THUD_HAS_YIELDING;
     double sum = 0;
-    int n = 0;
-    for (int s = 0; s < structure; s++)
-        x += p->floors[s];
+    int n = 0, rows;
+    const struct thud_sweep_floor *x = floors_of(p, variant, k, structure, floor == 0 && info->of_storeys, &rows);
     if (floor > 0)
         return field_of(&x[floor - 1], info);
-    for (int i = 0; i < p->floors[structure]; i++) {
+    for (int i = 0; i < rows; i++) {
         if (yielding && isnan(x[i].ductility))
             continue;
         sum += yielding ? fabs(field_of(&x[i], info)) : field_of(&x[i], info);
@@ -109,20 +109,19 @@ static double mean_of_floors(const struct thud_measured_run *run, const struct t
 static double isolator(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
 {
     int n;
-    const struct thud_sweep_floor *floor = floors_of(run, run->k, structure, &n);
-    return run->scene->structure[structure].kind == THUD_ISOLATED ? field_of(floor, info) : (double)NAN;
+    const struct thud_sweep_floor *floor = floors_of(run->point, 0, run->k, structure, false, &n);
+    return run->point->first_storey[structure] > 0 ? fabs(field_of(floor, info)) : (double)NAN;
 }
 
-/* The largest drift over its storey's height. Before an isolated building's storeys stands its isolator. */
+/* The largest drift over its storey's height. */
 static double drift_angle(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
 {
     const struct thud_structure *s = &run->scene->structure[structure];
-    const int first = s->kind == THUD_ISOLATED;
     int n;
-    const struct thud_sweep_floor *floor = floors_of(run, run->k, structure, &n);
+    const struct thud_sweep_floor *floor = floors_of(run->point, 0, run->k, structure, info->of_storeys, &n);
     double most = thud_kind_is_building(s->kind) ? 0 : (double)NAN;
-    for (int i = first; i < n && !isnan(most); i++)
-        most = fmax(most, field_of(&floor[i], info) / s->height_m[i - first]);
+    for (int i = 0; i < n && !isnan(most); i++)
+        most = fmax(most, field_of(&floor[i], info) / s->height_m[i]);
     return most;
 }
 
@@ -235,6 +234,7 @@ static double missing(const struct thud_measured_run *run, const struct thud_mea
 /* ---- the table ---- */
 
 #define FLOOR(member)   .field = offsetof(struct thud_sweep_floor, member)
+#define STOREY(member)  FLOOR(member), .of_storeys = true
 #define CONTACT(member) .field = offsetof(struct thud_sweep_contact, member)
 #define TOLD(suite, lowered, uncertainty, sweep, floors)                                                               \
     .place = {[THUD_TOLD_BY_SUITE] = suite,                                                                            \
@@ -244,36 +244,36 @@ static double missing(const struct thud_measured_run *run, const struct thud_mea
               [THUD_TOLD_BY_FLOORS] = floors}
 
 static const struct thud_measure_info infos[THUD_MEASURES] = {
-    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH, TOLD(0, 0, 11, 0, 0)},
+    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH, TOLD(0, 0, 13, 0, 0)},
     [THUD_MEASURE_IMPACTS] = {"impacts", "impacts", THUD_NUMBER, TOLD(0, 0, 0, 1, 0), .event.word = "pounding",
                               .read = impacts},
     [THUD_MEASURE_USED] = {"used_up", "share of the clearance", THUD_RATIO, .read = used_up},
     [THUD_MEASURE_SHORT] = {"short_m", "missing clearance", THUD_LENGTH, .read = missing},
-    [THUD_MEASURE_FORCE] = {"force_n", "largest force", THUD_FORCE, .unknown = true, TOLD(1, 8, 9, 2, 0),
+    [THUD_MEASURE_FORCE] = {"force_n", "largest force", THUD_FORCE, .unknown = true, TOLD(1, 10, 11, 2, 0),
                             .event.word = "force", .event.example = "5MN", .read = largest_of_contacts,
                             CONTACT(force_n)},
     [THUD_MEASURE_INDENTATION] = {"indentation_m", "largest indentation", THUD_LENGTH, .unknown = true,
                                   TOLD(0, 0, 0, 3, 0), .read = largest_of_contacts, CONTACT(indentation_m)},
     [THUD_MEASURE_SHEAR] = {"shear_n", "largest column shear", THUD_FORCE, .needs = THUD_HAS_COLUMNS,
-                            TOLD(0, 0, 10, 4, 0), .read = column_shear},
+                            TOLD(0, 0, 12, 4, 0), .read = column_shear},
     [THUD_MEASURE_ACCELERATION] = {"acceleration_mps2", "largest acceleration", THUD_ACCELERATION, true, true,
                                    TOLD(2, 2, 1, 0, 1), .event = {"acceleration", "1g", .not_monotone = true},
                                    .read = largest_of_floors, FLOOR(acceleration_mps2)},
     [THUD_MEASURE_DRIFT] = {"drift_m", "largest drift", THUD_LENGTH, true, TOLD(3, 4, 2, 0, 2), .event.word = "drift",
-                            .event.example = "3cm", .read = largest_of_floors, FLOOR(drift_m)},
+                            .event.example = "3cm", .read = largest_of_floors, STOREY(drift_m)},
     [THUD_MEASURE_DRIFT_ANGLE] = {"drift_angle", "largest drift over height", THUD_RATIO, true, TOLD(4, 0, 0, 0, 0),
-                                  .event.word = "drift", .event.example = "1%", .read = drift_angle, FLOOR(drift_m)},
+                                  .event.word = "drift", .event.example = "1%", .read = drift_angle, STOREY(drift_m)},
     [THUD_MEASURE_MEAN_ACCELERATION] = {"mean_acceleration_mps2", "mean acceleration", THUD_ACCELERATION, true, true,
                                         TOLD(0, 1, 3, 0, 0), .read = mean_of_floors, FLOOR(acceleration_mps2)},
     [THUD_MEASURE_MEAN_DRIFT] = {"mean_drift_m", "mean drift", THUD_LENGTH, true, TOLD(0, 3, 4, 0, 0),
-                                 .read = mean_of_floors, FLOOR(drift_m)},
+                                 .read = mean_of_floors, STOREY(drift_m)},
     [THUD_MEASURE_ACCELERATION_RATIO] = {"acceleration_ratio", "mean acceleration ratio", THUD_RATIO, true,
                                          .needs = THUD_HAS_REFERENCE, .ratio_of = THUD_MEASURE_MEAN_ACCELERATION,
-                                         TOLD(5, 0, 7, 8, 4), .event = {"worse", NULL, 1 + 1e-9, true},
+                                         TOLD(5, 0, 9, 8, 4), .event = {"worse", NULL, 1 + 1e-9, true},
                                          .read = mean_of_floors, FLOOR(acceleration_mps2)},
     [THUD_MEASURE_DRIFT_RATIO] = {"drift_ratio", "mean drift ratio", THUD_RATIO, true, .needs = THUD_HAS_REFERENCE,
-                                  .ratio_of = THUD_MEASURE_MEAN_DRIFT, TOLD(6, 0, 8, 9, 5), .read = mean_of_floors,
-                                  FLOOR(drift_m)},
+                                  .ratio_of = THUD_MEASURE_MEAN_DRIFT, TOLD(6, 0, 10, 9, 5), .read = mean_of_floors,
+                                  STOREY(drift_m)},
     [THUD_MEASURE_DISPLACEMENT] = {"displacement_m", "largest displacement", THUD_LENGTH, true, TOLD(0, 0, 0, 0, 3),
                                    FLOOR(displacement_m)},
     [THUD_MEASURE_DISPLACEMENT_RATIO] = {"displacement_ratio", "mean displacement ratio", THUD_RATIO, true,
@@ -284,30 +284,34 @@ static const struct thud_measure_info infos[THUD_MEASURES] = {
                                               .free = true, TOLD(0, 0, 0, 0, 7), FLOOR(acceleration_mps2)},
     [THUD_MEASURE_DRIFT_FREE_RATIO] = {"drift_free_ratio", "mean drift ratio to no pounding", THUD_RATIO, true,
                                        .ratio_of = THUD_MEASURE_MEAN_DRIFT, .free = true, TOLD(0, 0, 0, 0, 8),
-                                       FLOOR(drift_m)},
+                                       STOREY(drift_m)},
     [THUD_MEASURE_DISPLACEMENT_FREE_RATIO] = {"displacement_free_ratio", "mean displacement ratio to no pounding",
                                               THUD_RATIO, true, .ratio_of = THUD_MEASURE_DISPLACEMENT, .free = true,
                                               TOLD(0, 0, 0, 0, 9), FLOOR(displacement_m)},
     [THUD_MEASURE_EXCURSIONS] = {"excursions", "largest number of excursions beyond yield", THUD_NUMBER, true,
-                                 .needs = THUD_HAS_YIELDING, TOLD(0, 0, 0, 0, 12), FLOOR(excursions)},
+                                 .needs = THUD_HAS_YIELDING, TOLD(0, 0, 0, 0, 12), STOREY(excursions)},
     [THUD_MEASURE_HYSTERETIC] = {"hysteretic_j", "largest energy lost in a storey", THUD_NUMBER, true,
-                                 .needs = THUD_HAS_YIELDING, TOLD(0, 0, 0, 0, 13), FLOOR(hysteretic_j)},
+                                 .needs = THUD_HAS_YIELDING, TOLD(0, 0, 0, 0, 13), STOREY(hysteretic_j)},
     [THUD_MEASURE_DUCTILITY] = {"ductility", "largest ductility", THUD_NUMBER, true, .needs = THUD_HAS_YIELDING,
                                 TOLD(7, 5, 5, 6, 10), .event.word = "ductility", .event.example = "2",
-                                .read = largest_of_floors, FLOOR(ductility)},
+                                .read = largest_of_floors, STOREY(ductility)},
     [THUD_MEASURE_PERMANENT] = {"permanent_m", "largest permanent drift", THUD_LENGTH, true, .needs = THUD_HAS_YIELDING,
                                 TOLD(8, 6, 6, 7, 11), .event = {"permanent", "1cm", .not_monotone = true},
-                                .read = largest_of_floors, FLOOR(permanent_m)},
+                                .read = largest_of_floors, STOREY(permanent_m)},
     [THUD_MEASURE_ISOLATOR] = {"isolator_m", "largest isolator displacement", THUD_LENGTH, true,
-                               .needs = THUD_HAS_ISOLATORS, TOLD(9, 0, 0, 0, 0), .event.word = "isolator",
+                               .needs = THUD_HAS_ISOLATORS, TOLD(9, 7, 7, 0, 0), .event.word = "isolator",
                                .event.example = "30cm", .read = isolator, FLOOR(drift_m)},
+    [THUD_MEASURE_ISOLATOR_PERMANENT] = {"isolator_permanent_m", "largest permanent isolator displacement", THUD_LENGTH,
+                                         true, .needs = THUD_HAS_SLIDING, TOLD(10, 8, 8, 0, 0),
+                                         .event = {"isolator-permanent", "5cm", .not_monotone = true}, .read = isolator,
+                                         FLOOR(permanent_m)},
     [THUD_MEASURE_COLUMNS] = {"shear_over_capacity", "shear over capacity", THUD_NUMBER, true,
-                              .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0, 5, 0), .event.word = "column",
+                              .needs = THUD_HAS_CAPACITY, TOLD(11, 9, 0, 5, 0), .event.word = "column",
                               .event.example = "1", .read = over_capacity, CONTACT(capacity_ratio)},
     [THUD_MEASURE_STRAIN] = {"bumper_strain", "largest strain of a bumper", THUD_RATIO, .event.word = "strain",
                              .event.example = "80%", .read = bumper_strain},
     [THUD_MEASURE_LINK] = {"link_n", "largest force of a link", THUD_FORCE, .needs = THUD_HAS_LINK_FORCES,
-                           TOLD(11, 0, 0, 0, 0), .event.word = "link", .event.example = "500kN",
+                           TOLD(12, 0, 0, 0, 0), .event.word = "link", .event.example = "500kN",
                            .read = largest_of_links},
     [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, .event.word = "collapse", .read = collapsed}};
 
@@ -334,24 +338,21 @@ int thud_measure_place(enum thud_measure_document document, int nstructures, enu
     return at;
 }
 
-/* By the scene, or by a varied key. */
-static bool has_capacity(const struct thud_sweep_plan *plan)
+unsigned thud_structure_features(const struct thud_structure *structure)
 {
-    bool has = false;
-    for (int s = 0; s < plan->scene.nstructures; s++)
-        for (int i = 0; i < plan->scene.structure[s].storeys; i++)
-            has |= plan->scene.structure[s].column_capacity_n[i] > 0;
-    for (int a = 0; a < plan->naxes; a++)
-        has |= strstr(plan->axis[a].key, ".column.capacity") != NULL;
+    const bool isolated = structure->kind == THUD_ISOLATED, slides = thud_isolator_slides(structure);
+    unsigned has = (isolated ? THUD_HAS_ISOLATORS : 0u) | (slides ? THUD_HAS_SLIDING : 0u);
+    if (thud_structure_elements(structure).states > slides)
+        has |= THUD_HAS_YIELDING;
+    for (int i = 0; i < structure->storeys; i++)
+        has |= structure->column_capacity_n[i] > 0 ? THUD_HAS_CAPACITY : 0u;
     return has;
 }
 
-unsigned thud_measure_features(const struct thud_sweep_plan *plan)
+unsigned thud_scene_features(const struct thud_scene *scene)
 {
-    unsigned features =
-        THUD_HAS_REFERENCE | (plan->yields ? THUD_HAS_YIELDING : 0u) | (has_capacity(plan) ? THUD_HAS_CAPACITY : 0u);
-    features |= plan->scene.nlinks > 0 ? THUD_HAS_LINK_FORCES : 0u;
-    for (int s = 0; s < plan->scene.nstructures; s++)
-        features |= plan->scene.structure[s].kind == THUD_ISOLATED ? THUD_HAS_ISOLATORS : 0u;
-    return features;
+    unsigned has = scene->nlinks > 0 ? THUD_HAS_LINK_FORCES : 0u;
+    for (int s = 0; s < scene->nstructures; s++)
+        has |= thud_structure_features(&scene->structure[s]);
+    return has;
 }

@@ -69,7 +69,7 @@ void thud_remark_bumper(const struct thud_remark_scope *scope, int i, struct thu
 static double worst_drift(const struct thud_structure *s, int floors, const double *drift_m, int *storey)
 {
     double worst = 0;
-    int slab = s->kind == THUD_ISOLATED;
+    int slab = thud_structure_first_storey(s);
     *storey = 0;
     for (int f = slab; f < floors && thud_kind_is_building(s->kind); f++) {
         double ratio = drift_m[f] / s->height_m[f - slab];
@@ -107,7 +107,7 @@ void thud_remark_drift(const struct thud_remark_scope *scope, int i, struct thud
 double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
                                   int storey)
 {
-    int floor = storey + (structure->kind == THUD_ISOLATED);
+    int floor = storey + thud_structure_first_storey(structure);
     if (!thud_kind_is_building(structure->kind) || storey < 0 || storey >= structure->storeys)
         return NAN;
     double lean = result->floor[floor].lean.value, shear = result->floor[floor].shear.value;
@@ -145,7 +145,7 @@ void thud_remark_yielding(const struct thud_remark_scope *scope, int i, struct t
 {
     const struct thud_structure *s = &scope->scene->structure[i];
     const struct thud_structure_result *r = &scope->result->structure[i];
-    int slab = s->kind == THUD_ISOLATED, storey = -1;
+    int slab = thud_structure_first_storey(s), storey = -1;
     double worst = 0;
     if (scope->result->collapse.happened && scope->result->collapse.structure == i)
         return; /* to report */
@@ -318,7 +318,7 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
         double drift_m[THUD_STOREYS_MAX + 1];
         int storey;
         const struct thud_structure *structure = &scene->structure[s];
-        int slab = structure->kind == THUD_ISOLATED;
+        int slab = thud_structure_first_storey(structure);
         for (int f = 0; f < point->floors[s]; f++) { /* those that yield are not taken as elastic */
             bool yields =
                 f >= slab && f - slab < structure->storeys && isfinite(thud_structure_yield(structure, f - slab));

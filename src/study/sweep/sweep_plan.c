@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "study/scene/scene_elements.h"
+#include "study/sweep/measure.h"
 #include "study/sweep/sweep.h"
 #include "study/sweep/sweep_private.h"
 
@@ -15,7 +16,7 @@ void thud_sweep_plan_init(struct thud_sweep_plan *plan, const struct thud_scene 
 {
     memset(plan, 0, sizeof *plan);
     plan->scene = *scene;
-    plan->yields = thud_scene_yields(scene);
+    plan->has = thud_scene_features(scene);
     plan->ncases = 1;
     plan->cases[0] = THUD_CASE_AS_WRITTEN;
     plan->shortcuts = THUD_SWEEP_ALL;
@@ -296,17 +297,18 @@ static long product(const struct thud_sweep_plan *plan, int from)
     return n;
 }
 
-/* Whether a storey yields: the scene's, or by a varied key. */
-static bool yields(const struct thud_sweep_plan *plan)
+/* Features of the scene, and those by varied keys. */
+static unsigned features(const struct thud_sweep_plan *plan)
 {
-    bool found = thud_scene_yields(&plan->scene);
-    struct thud_scene *at = found ? NULL : malloc(sizeof *at);
+    unsigned has = thud_scene_features(&plan->scene);
+    struct thud_scene *at = malloc(sizeof *at);
     for (int a = 0; at && a < plan->naxes; a++)
-        for (int v = 0; v < plan->axis[a].n && !found; v++)
-            found = thud_sweep_scene(plan, v * product(plan, a + 1), at, NULL) == THUD_OK &&
-                    thud_scene_check(at, NULL) == THUD_OK && thud_scene_yields(at);
+        for (int v = 0; v < plan->axis[a].n; v++)
+            if (thud_sweep_scene(plan, v * product(plan, a + 1), at, NULL) == THUD_OK &&
+                thud_scene_check(at, NULL) == THUD_OK)
+                has |= thud_scene_features(at);
     free(at);
-    return found;
+    return has;
 }
 
 static void insert_axis(struct thud_sweep_plan *plan, const struct thud_sweep_axis *axis)
@@ -316,7 +318,7 @@ static void insert_axis(struct thud_sweep_plan *plan, const struct thud_sweep_ax
     plan->axis[at] = *axis;
     plan->axis[at].own = own_place(&plan->scene, axis);
     plan->naxes++;
-    plan->yields = yields(plan);
+    plan->has = features(plan);
     find_period(plan);
 }
 

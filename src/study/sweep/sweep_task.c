@@ -123,8 +123,10 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     point->index = index;
     point->gap_m = task->scene->nstructures > 1 ? task->scene->interface[0].gap_m : NAN;
     point->nstructures = model->nstructures;
-    for (int s = 0; s < point->nstructures; s++)
+    for (int s = 0; s < point->nstructures; s++) {
         point->floors[s] = model->structure[s].n;
+        point->first_storey[s] = thud_structure_first_storey(&task->scene->structure[s]);
+    }
     for (int v = 0; v < point->nvariants; v++)
         take_floors(thud_sweep_floors(point, v, point->ncases), task->scene,
                     thud_baseline_result(thud_sweep_baseline(group, v, thud_sweep_free_case(plan))->baseline));

@@ -223,8 +223,10 @@ static void sizes(struct line *l, struct thud_sweep_point *p)
 static void numbers_of_runs(struct line *l, struct thud_sweep_point *p)
 {
     number(l, &p->gap_m);
-    for (int s = 0; s < p->nstructures; s++)
+    for (int s = 0; s < p->nstructures; s++) {
         count(l, &p->floors[s], 0, THUD_STOREYS_MAX + 1);
+        count(l, &p->first_storey[s], 0, 1);
+    }
     for (int k = 0; k < p->ncases; k++)
         effort(l, &p->which[k], &p->effort[k]);
     floors(l, p->floor, (p->ncases + 1) * p->nfloors);

@@ -330,7 +330,7 @@ static bool is_there(const struct thud_scene *scene, enum thud_input input, int 
     case THUD_INPUT_YIELD:
         return own && thud_structure_elements(own).traits & THUD_SLIPS;
     case THUD_INPUT_HARDENING: /* isolators have none */
-        return own && thud_structure_elements(own).states > thud_isolator_slides(own);
+        return own && thud_structure_features(own) & THUD_HAS_YIELDING;
     case THUD_INPUT_COLUMNS:
         return has_struck(scene, of, true);
     case THUD_INPUT_ELEVATION: /* against a neighbour */
@@ -497,8 +497,7 @@ static void add_quantities(struct thud_uncertainty *u)
     for (int k = 0; k < u->ncases; k++) {
         for (int s = 0; s < u->scene.nstructures; s++)
             if (has_floors(&u->scene.structure[s]))
-                add(u, k, s,
-                    thud_structure_elements(&u->scene.structure[s]).traits & THUD_SLIPS ? THUD_HAS_YIELDING : 0);
+                add(u, k, s, thud_structure_features(&u->scene.structure[s]));
         add(u, k, -1, u->columns ? THUD_HAS_COLUMNS : 0);
     }
 }
@@ -630,7 +629,7 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
     thud_sweep_plan_init(plan, &u->scene);
     for (int i = 0; i < u->ninputs; i++)
         thud_input_change(&plan->scene, &u->input[i], place[i], &motion);
-    plan->yields = thud_scene_yields(&plan->scene);
+    plan->has = thud_scene_features(&plan->scene);
     plan->ncases = u->ncases;
     memcpy(plan->cases, u->which, (size_t)u->ncases * sizeof *u->which);
     const struct thud_record *record = thud_uncertainty_record(u, place[u->ninputs - 1]);
