@@ -252,7 +252,7 @@ enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scen
  * word that readers of files and lists of cases call it by. */
 static bool option_is_about(const char *option, const char *wanted)
 {
-    static const char *const others[][2] = {{"record", "record.file"}, {"records", "record.file"}, {"case", "cases"}};
+    static const char *const others[][2] = {{"record", "record.file"}, {"records", "study.records"}, {"case", "cases"}};
     char key[KEY];
     const char *other;
     if (strcmp(option, wanted) == 0)

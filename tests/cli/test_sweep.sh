@@ -243,6 +243,7 @@ wrong 2 "^thud: --cases: " towers --cases nine
 wrong 2 "^thud: --case: " towers --case nine
 wrong 2 "^thud: --shard: " towers --shard half -o "$tmp/none"
 wrong 3 "^thud: --records: no ground motion" towers --records nowhere.csv
+wrong 3 "^thud: study.records: no ground motion" towers --set study.records=nowhere.csv
 wrong 3 "kobe-surrogate.csv: from: " towers --records kobe-surrogate.csv:from=2s:to=1s
 wrong 3 "kobe-surrogate.csv: --from: " towers --records kobe-surrogate.csv --from 2s --to 1s
 wrong 3 "nowhere.AT2" towers --records nowhere.AT2

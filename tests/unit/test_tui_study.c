@@ -503,11 +503,31 @@ END_TEST
 /* Why it cannot run stays on the screen, and not that it does. */
 START_TEST(a_study_that_cannot_begin_says_why)
 {
-    fixture_keys(&f, "<A-6>:live off<Enter>:records nowhere.csv<Enter>r");
-    fixture_keys(&f, "<Down><Up>");
-    fixture_expect(&f, "nowhere.csv");
+    char keys[200], path[100];
+    snprintf(path, sizeof path, "%s/gone.csv", f.folder);
+    fixture_write(&f, "gone.csv", "time_s,acceleration_g\n0,0\n0.1,0.3\n0.2,0\n");
+    snprintf(keys, sizeof keys, "<A-6>:live off<Enter>:records %s<Enter>", path);
+    fixture_keys(&f, keys);
+    ck_assert_int_eq(remove(path), 0);
+    fixture_keys(&f, "r<Down><Up>");
+    fixture_expect(&f, "study.records: no ground");
     fixture_expect_not(&f, "r runs the study");
     fixture_expect(&f, "nothing to show yet");
+}
+END_TEST
+
+/* Motions that are not there are refused where they are set, and the study keeps those it had. */
+START_TEST(motions_that_are_not_there_are_refused)
+{
+    fixture_keys(&f, "<A-6>:records pulse.csv<Enter>");
+    static const char *const wrong[] = {"nowhere.csv", "pulse.csv,nowhere.csv:unit=g", "[pulse.csv, nowhere.list]"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char keys[100];
+        snprintf(keys, sizeof keys, ":records %s<Enter>", wrong[i]);
+        fixture_keys(&f, keys);
+        fixture_expect(&f, "study.records: no ground motion \"nowhere.");
+        ck_assert_str_eq(study()->records, "pulse.csv");
+    }
 }
 END_TEST
 
@@ -619,6 +639,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, lists_in_brackets_are_taken);
     tcase_add_test(words, a_structure_more_names_the_studys_interface);
     tcase_add_test(words, a_study_that_cannot_begin_says_why);
+    tcase_add_test(words, motions_that_are_not_there_are_refused);
     tcase_add_test(words, unreadable_motions_are_skipped);
     tcase_add_test(words, a_value_is_solved_for);
     tcase_add_test(words, tables_of_others_stay);

@@ -98,6 +98,7 @@ struct reading {
     const struct thud_record_choice *common;       /* what holds for motions that do not say otherwise; NULL: nothing */
     struct thud_record_list *list;
     bool both;
+    bool look; /* whether what is named is there, without reading it */
     bool skip; /* what cannot be read is left out */
 };
 
@@ -442,9 +443,13 @@ static bool cut_skip(char *item)
 /* A file, a folder or a list. */
 static enum thud_status add_item(struct reading *r, struct thud_scene *scene, const char *own, struct thud_error *err)
 {
+    char path[1024];
     look_beside(r->session, scene->record.file, sizeof scene->record.file);
     if (thud_path_is_folder(scene->record.file))
-        return add_folder(r, scene, err);
+        return r->look ? THUD_OK : add_folder(r, scene, err);
+    if (r->look)
+        return thud_paths_record(&r->session->paths, r->session->preset_path, scene->record.file, path, sizeof path,
+                                 err);
     return thud_record_is_list(scene->record.file) ? add_list(r, scene, err) : add_file(r, scene, own, err);
 }
 
@@ -489,20 +494,22 @@ static enum thud_status list_unused(const struct thud_session *session, const st
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
                                        int ncommon, bool both, struct thud_record_list *out, struct thud_error *err)
 {
-    struct reading r = {.session = session, .list = out, .both = both};
+    struct thud_record_list looked;
+    struct reading r = {.session = session, .list = out ? out : &looked, .both = both, .look = !out};
     enum thud_status status = THUD_OK;
     bool bracketed = *text == '['; /* a list of a preset */
     char *copy = strdup(text + bracketed);
     struct thud_scene *scene = malloc(2 * sizeof *scene);
-    *out = (struct thud_record_list){0};
+    *r.list = (struct thud_record_list){0};
     if (bracketed && copy)
         copy[strcspn(copy, "]")] = '\0';
     if (!copy || !scene) {
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     } else {
         thud_scene_init(scene + 1);
-        status = list_unused(session, scene + 1, common, ncommon, strcmp(text, session->scene.study.records) == 0,
-                             out->unused, sizeof out->unused, err);
+        if (!r.look)
+            status = list_unused(session, scene + 1, common, ncommon, strcmp(text, session->scene.study.records) == 0,
+                                 out->unused, sizeof out->unused, err);
         for (int i = 0; i < ncommon && status == THUD_OK; i++)
             status = set(scene + 1, common[i][0], common[i][1], err);
         r.common = &scene[1].record;
@@ -516,12 +523,14 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
         if (status == THUD_OK)
             status = add_item(&r, scene, own, err);
     }
-    if (status == THUD_OK && out->skipped > 0 && out->n == 0)
-        status = thud_error_set(err, THUD_INPUT, "none of the %d files can be read", out->skipped);
+    if (status == THUD_OK && r.list->skipped > 0 && r.list->n == 0)
+        status = thud_error_set(err, THUD_INPUT, "none of the %d files can be read", r.list->skipped);
     free(scene);
     free(copy);
     if (status != THUD_OK)
-        thud_record_list_clear(out);
+        thud_record_list_clear(r.list);
+    if (status == THUD_INPUT && err && (r.look || strcmp(err->key, "record.file") == 0))
+        thud_error_key(err, "study.records");
     return status;
 }
 

@@ -34,8 +34,8 @@ struct thud_record_list {
  * replaces all three of those that apply to more files. What the session's scene says of its own record holds for none
  * of them, and is refused where these are all that the scene has. `:unreadable=skip` leaves out files that cannot be
  * read. `both`: each motion also reversed, named FILE:sign=-. Motions of one file are told apart by their settings.
- * Files are looked for as the session's own record is, folders and lists from the working folder. Errors: THUD_USAGE,
- * THUD_INPUT, THUD_MEMORY. */
+ * Files are looked for as the session's own record is, folders and lists from the working folder. `out` NULL: it is only
+ * looked whether all that is named is there. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
                                        int ncommon, bool both, struct thud_record_list *out, struct thud_error *err);
 /* The session's own record, or none. Errors: as thud_session_read_record. */

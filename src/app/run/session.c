@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/record_list.h"
 #include "base/scan.h"
 #include "io/record/record_component.h"
 #include "study/scene/needed_gap.h"
@@ -60,6 +61,8 @@ enum thud_status thud_session_set(struct thud_session *session, const char *key,
                                   struct thud_error *err)
 {
     enum thud_status status = thud_scene_set(&session->scene, key, text, err);
+    if (status == THUD_OK && strcmp(key, "study.records") == 0 && *text)
+        status = thud_record_list_read(session, text, NULL, 0, false, NULL, err);
     return status == THUD_OK ? thud_words_check(&session->scene, err) : status;
 }
 

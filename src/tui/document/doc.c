@@ -13,7 +13,7 @@
 #include "io/record/record_file.h"
 #include "study/scene/solution.h"
 #include "study/suite/fragility.h"
-#include "tui/document/doc.h"
+#include "tui/document/motions.h"
 #include "tui/widgets/form.h"
 
 static struct thud_stamp stamp_of(const char *path)
@@ -181,6 +181,8 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
     enum thud_status status = thud_scene_check(next, err);
     if (status == THUD_OK)
         status = thud_words_check(next, err);
+    if (status == THUD_OK && *next->study.records && strcmp(next->study.records, doc->scene.study.records) != 0)
+        status = thud_doc_motions(doc, next->study.records, false, NULL, err);
     if (status == THUD_OK)
         status = thud_undo_note(&doc->undo, &doc->scene, next, what, err);
     if (status != THUD_OK)

@@ -19,7 +19,8 @@ enum thud_status thud_doc_motions(const struct thud_doc *doc, const char *list, 
                                   struct thud_error *err)
 {
     struct thud_session *session = thud_doc_session(doc);
-    *out = (struct thud_record_list){0};
+    if (out)
+        *out = (struct thud_record_list){0};
     enum thud_status status = session ? thud_record_list_named(session, list, both, out, err)
                                       : thud_error_set(err, THUD_MEMORY, "no memory for the motions");
     free(session);
