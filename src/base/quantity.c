@@ -27,19 +27,51 @@ static bool trim(const char *text, char *to)
     return true;
 }
 
-/* number * 10^shift, correctly rounded: the decimal exponent of the text is moved, not the number multiplied. */
-static int shifted(const char *text, size_t length, int shift, double *out)
+/* Decimal digits of a number's mantissa; returns how many. *last: the power of ten of the last one. */
+static size_t digits_of(const char *text, size_t length, char *digit, long *last)
 {
-    char copy[TEXT_MAX + 32];
-    size_t mantissa = strcspn(text, "eE");
-    long exponent = 0;
+    size_t n = 0;
+    bool behind = false;
+    *last = 0;
+    for (size_t i = 0; i < length && text[i] != 'e' && text[i] != 'E'; i++) {
+        behind |= text[i] == '.';
+        if (thud_ascii_is_digit(text[i])) {
+            digit[n++] = (char)(text[i] - '0');
+            *last -= behind;
+        }
+    }
+    return n;
+}
+
+/* number * factor * 10^shift, correctly rounded: the product of both as decimals, 0.3 * 0.3048, which no product of
+ * doubles is. So a value is the same in every unit in which it is typed, and has the short text of each. */
+static int scaled(const char *text, size_t length, double factor, int shift, double *out)
+{
+    enum { FACTOR = 32 };
+    char by[FACTOR], a[TEXT_MAX], b[FACTOR], copy[TEXT_MAX + 2 * FACTOR], *to = copy;
+    int digit[TEXT_MAX + FACTOR] = {0};
+    long last[2], exponent = 0;
+    const size_t mantissa = strcspn(text, "eE");
     if (mantissa < length)
         exponent = strtol(text + mantissa + 1, NULL, 10);
-    else
-        mantissa = length;
     if (exponent > 100000 || exponent < -100000)
         exponent = exponent < 0 ? -100000 : 100000;
-    snprintf(copy, sizeof copy, "%.*se%ld", (int)mantissa, text, exponent + shift);
+    thud_number_format(factor, by, sizeof by);
+    if (strchr(by, 'e'))
+        exponent += strtol(strchr(by, 'e') + 1, NULL, 10);
+    const size_t na = digits_of(text, length, a, &last[0]), nb = digits_of(by, strlen(by), b, &last[1]);
+    for (size_t i = 0; i < na; i++)
+        for (size_t k = 0; k < nb; k++)
+            digit[i + k + 1] += a[i] * b[k];
+    if (*text == '-')
+        *to++ = '-';
+    for (size_t i = na + nb - 1; i > 0; i--) {
+        digit[i - 1] += digit[i] / 10;
+        digit[i] %= 10;
+    }
+    for (size_t i = 0; i < na + nb; i++)
+        *to++ = (char)('0' + digit[i]);
+    snprintf(to, (size_t)(copy + sizeof copy - to), "e%ld", exponent + last[0] + last[1] + shift);
     return thud_number_parse(copy, NULL, out);
 }
 
@@ -117,8 +149,7 @@ enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimen
     if (status != THUD_OK)
         return status;
     if (!failed)
-        failed = shifted(clean, (size_t)(end - clean), unit.shift, &number);
-    number *= unit.factor;
+        failed = scaled(clean, (size_t)(end - clean), unit.factor, unit.shift, &number);
     if (failed || !isfinite(number)) {
         thud_error_set(err, THUD_INPUT, "\"%.80s\" is too large a number", clean);
         return THUD_INPUT;
@@ -127,16 +158,20 @@ enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimen
     return THUD_OK;
 }
 
-/* Shortest digits of a finite value as "d.ddd" and its decimal exponent. */
-static int shortest(double value, char *text, size_t size)
+/* Shortest digits, as "d.ddd" and its decimal exponent, that are a finite value once multiplied by the factor. */
+static int shortest(double value, double factor, char *text, size_t size)
 {
+    char by[32];
+    double back;
+    thud_number_format(factor, by, sizeof by);
+    const long double near = value / strtold(by, NULL); /* a double may be too coarse for its 17 digits */
     for (int digits = 0; digits < 17; digits++) {
-        snprintf(text, size, "%.*e", digits, value);
-        if (strtod(text, NULL) == value)
+        snprintf(text, size, "%.*Le", digits, near);
+        if (scaled(text, strlen(text), factor, 0, &back) == 0 && back == value)
             break;
     }
     char *e = strchr(text, 'e');
-    assert(e); /* "%e" writes one for every finite number */
+    assert(e); /* "%Le" writes one for every finite number */
     *e = '\0';
     return (int)strtol(e + 1, NULL, 10);
 }
@@ -163,55 +198,16 @@ static void place_point(const char *mantissa, int exponent, char *text, size_t s
         snprintf(text, size, "%s%.*s.%s", sign, exponent + 1, digits, digits + exponent + 1);
 }
 
-/* Number of the unit with a factor that reads back as `value`; false when no double does. */
-static bool by_factor(double value, const struct thud_unit *unit, char *text, size_t size)
-{
-    double near = value / unit->factor;
-    double tries[] = {near, nextafter(near, INFINITY), nextafter(near, -INFINITY)};
-    for (size_t i = 0; i < sizeof tries / sizeof *tries; i++)
-        for (int digits = 1; digits <= 17; digits++) {
-            char number[64];
-            double back;
-            snprintf(number, sizeof number, "%.*g", digits, tries[i]);
-            if (shifted(number, strlen(number), unit->shift, &back) == 0 && back * unit->factor == value) {
-                char mantissa[40];
-                int exponent = shortest(strtod(number, NULL), mantissa, sizeof mantissa);
-                place_point(mantissa, exponent, text, size);
-                return true;
-            }
-        }
-    return false;
-}
-
-/* The unit in which every value can be written: shift 0, factor 1. */
-static void plain_unit(const struct thud_unit *unit, char *name, size_t size)
-{
-    char n[32];
-    thud_number_format(unit->exponent, n, sizeof n);
-    if (unit->dimension == THUD_POWER_STIFFNESS)
-        snprintf(name, size, "N/m^%s", n);
-    else
-        snprintf(name, size, "%s", unit->dimension == THUD_ACCELERATION ? "m/s2" : "m");
-}
-
 void thud_quantity_format(double value_si, const char *unit, char *text, size_t size)
 {
     struct thud_unit found = {THUD_NUMBER, 0, 1, 0};
-    char number[64] = "", name[64], mantissa[40];
+    char number[64], mantissa[64];
     if (!isfinite(value_si)) {
         snprintf(text, size, "%s", isnan(value_si) ? "" : value_si > 0 ? "infinity" : "-infinity");
         return;
     }
     thud_unit_find(unit ? unit : "", &found);
-    snprintf(name, sizeof name, "%s", unit ? unit : "");
-    int exponent = shortest(value_si, mantissa, sizeof mantissa);
-    if (value_si == 0)
-        snprintf(number, sizeof number, "0");
-    else if (found.factor == 1)
-        place_point(mantissa, exponent - found.shift, number, sizeof number);
-    else if (!by_factor(value_si, &found, number, sizeof number)) {
-        place_point(mantissa, exponent, number, sizeof number);
-        plain_unit(&found, name, sizeof name);
-    }
-    snprintf(text, size, "%s%s%s", number, *name ? " " : "", name);
+    const int exponent = shortest(value_si, found.factor, mantissa, sizeof mantissa);
+    place_point(mantissa, exponent - found.shift, number, sizeof number);
+    snprintf(text, size, "%s%s%s", value_si == 0 ? "0" : number, unit && *unit ? " " : "", unit ? unit : "");
 }

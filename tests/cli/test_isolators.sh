@@ -74,6 +74,7 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "judges storeys and isolators by their own" [ "$(sed -n 's/^| largest \(drift\|isolator displacement\|permanent isolator displacement\) | [^|]*| \([0-9.]*\) .*/\2/p' "$tmp/limits/report.md" | tr '\n' ' ')" = "$("$THUD" run isolated-pendulum --to 8s --csv --quiet | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $1 == "isolated" && $2 == 1 { i = $c["drift_m"]; p = $c["permanent_m"] } $1 == "isolated" && $2 > 1 && $c["drift_m"] > d { d = $c["drift_m"] } END { printf "%.3g %.3g %.3g ", 1e3 * d, 1e3 * i, 1e3 * (p < 0 ? -p : p) }')" ]
     is "a motion and its reverse" gives 0 sweep isolated-pendulum --records northridge-surrogate.csv,northridge-surrogate.csv:sign=- --vary record.peak=0.3g,0.6g --cases none --no-figures -o "$tmp/s" --quiet
     # by the rows of sweep.csv: of floor 1 the isolators, of the others the storeys, of floor 0 the mean of those
+    # shellcheck disable=SC2016 # awk's
     is "tells drifts of storeys and displacements of isolators apart" awk -F, '
         FNR == 1 { delete c; for (i = 1; i <= NF; i++) c[$i] = i; next }
         FILENAME ~ /sweep/ && $c["floor"] == 0 { mean = $c["drift_m"]; d = sum = n = 0 }

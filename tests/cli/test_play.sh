@@ -26,6 +26,11 @@ is "the force is that of thud run" [ "$(awk -v a="$told" -v b="$expect" 'BEGIN {
 "$THUD" sweep towers --set gap=12cm --vary gap=6cm:14cm:2cm --csv >sweep.csv 2>err
 is "the study is that of thud sweep" cmp -s sweep.csv tables/towers-sweep.csv
 
+printf 'set gap 0.3 ft\nundo\nset contact.stiffness 1.7 kip/in\n' >feet
+is "values in other units" gives 0 towers --play feet
+is "come back as the decimals that they are" shows '^Undone: gap 10 cm -> 9.144 cm$'
+is "and are called as they were typed" shows '^! stiffness 1.7 kip/in is unusual '
+
 printf 'open towers\nshow\nshow screen.svg\nshow no/screen.svg\n' >shot
 is "a picture into a folder that is not there is refused" gives 3 --play shot
 is "with its line" says '^shot:4: '

@@ -15,7 +15,7 @@ pure="
     strchr strcmp strcpy strcspn strdup strlen strncmp strncpy strndup strpbrk strrchr strspn strstr
     __memcpy_chk __memmove_chk __memset_chk __strcpy_chk __strncpy_chk
     snprintf vsnprintf __snprintf_chk __vsnprintf_chk
-    strtod strtol strtoul qsort bsearch abs
+    strtod strtold strtol strtoul qsort bsearch abs
     __assert_fail __stack_chk_fail _GLOBAL_OFFSET_TABLE_"
 case $(nm "$archive" 2>/dev/null) in
 *__asan_* | *__gcov_* | *__sanitizer_cov* | *__ubsan_*)

@@ -46,7 +46,7 @@ START_TEST(units_are_what_they_are_defined_to_be)
         {"2 kN-s\xc2\xb2/m", THUD_MASS, 2000},
         {"2 kN*s^2/m", THUD_MASS, 2000},
         {"1 tonf s2/m", THUD_MASS, 9806.65},
-        {"3 tonf/m", THUD_STIFFNESS, 3 * 9806.65},
+        {"3 tonf/m", THUD_STIFFNESS, 29419.95},
         {"1 kips/in", THUD_STIFFNESS, 4448.2216152605 / 0.0254},
         {"1 ft2", THUD_AREA, 0.3048 * 0.3048},
         {"1 kip ft/rad", THUD_ROCKING, 4448.2216152605 * 0.3048},
@@ -195,12 +195,47 @@ START_TEST(digits_are_never_lost)
         {"0 cm", THUD_LENGTH, "cm"},
         {"2500 kN/mm", THUD_STIFFNESS, "kN/mm"},
         {"0.01", THUD_NUMBER, ""},
+        {"1.7 kip/in", THUD_STIFFNESS, "kip/in"},
+        {"3.1 psi", THUD_PRESSURE, "psi"},
+        {"0.7 tonf s2/m", THUD_MASS, "tonf s2/m"},
     };
     char text[64];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         thud_quantity_format(si(rows[i].text, rows[i].dimension), rows[i].unit, text, sizeof text);
         ck_assert_str_eq(text, rows[i].text);
     }
+}
+END_TEST
+
+/* What is typed in feet, inches, pounds or g is shown in metric units as the decimal that it is, by whole numbers. */
+START_TEST(values_of_other_units_are_short)
+{
+    static const struct {
+        const char *from, *to;
+        enum thud_dimension dimension;
+        long long whole; /* one tenth of `from`, in units of 10^-places of `to` */
+        int places;
+    } rows[] = {{"ft", "cm", THUD_LENGTH, 3048, 3},
+                {"in", "cm", THUD_LENGTH, 254, 3},
+                {"lb", "kg", THUD_MASS, 45359237, 9},
+                {"g", "m/s2", THUD_ACCELERATION, 980665, 6}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (int n = 1; n < 2000; n++) {
+            char typed[32], shown[64], expected[300];
+            long long size = 1, whole = n * rows[i].whole;
+            unsigned char places = (unsigned char)rows[i].places;
+            for (; places > 0 && whole % 10 == 0; places--)
+                whole /= 10;
+            for (int k = 0; k < places; k++)
+                size *= 10;
+            snprintf(typed, sizeof typed, "%d.%d %s", n / 10, n % 10, rows[i].from);
+            if (places > 0)
+                snprintf(expected, sizeof expected, "%lld.%0*lld %s", whole / size, places, whole % size, rows[i].to);
+            else
+                snprintf(expected, sizeof expected, "%lld %s", whole, rows[i].to);
+            thud_quantity_format(si(typed, rows[i].dimension), rows[i].to, shown, sizeof shown);
+            ck_assert_str_eq(shown, expected);
+        }
 }
 END_TEST
 
@@ -215,8 +250,9 @@ static double random_double(uint64_t *state)
 
 START_TEST(any_value_reads_back_the_same_in_any_unit)
 {
-    static const char *const units[] = {"cm", "mm",  "in", "ft", "m", "t",   "kN/mm", "kN/mm^2.65", "N/mm^1.5",
-                                        "g",  "gal", "ms", "%",  "",  "cm2", "GPa",   "cm/s"};
+    static const char *const units[] = {"cm",         "mm",       "in",   "ft",  "m",  "t",   "kN/mm",
+                                        "kN/mm^2.65", "N/mm^1.5", "g",    "gal", "ms", "%",   "",
+                                        "cm2",        "GPa",      "cm/s", "psi", "lb", "tonf"};
     uint64_t state = 88172645463325252u;
     for (int i = 0; i < 20000; i++) {
         const char *unit = units[(size_t)i % (sizeof units / sizeof *units)];
@@ -288,6 +324,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, nothing_has_no_sign);
     tcase_add_test(tests, numbers_without_exponents);
     tcase_add_test(tests, digits_are_never_lost);
+    tcase_add_test(tests, values_of_other_units_are_short);
     tcase_add_test(tests, any_value_reads_back_the_same_in_any_unit);
     tcase_add_test(tests, named_units_exist);
     suite_add_tcase(suite, tests);

@@ -54,18 +54,17 @@ void thud_tui_with_unit(const struct thud_tui *tui, const char *key, const char 
     thud_text_append(text, "%.*s%s%s", (int)n, typed, *unit ? " " : "", unit);
 }
 
-/* Soft bounds warn. */
-static void warn(struct thud_tui *tui, const char *key)
+/* Soft bounds warn of a value as it was typed. */
+static void warn(struct thud_tui *tui, const char *key, const char *text)
 {
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
-    char text[128], usual[96];
+    char usual[96];
     struct thud_quantity value;
     if (!param || param->kind != THUD_PARAM_QUANTITY ||
-        thud_scene_get(&tui->doc.scene, key, text, sizeof text, NULL) != THUD_OK ||
         thud_quantity_parse(text, param->dimension, param->unit, &value, NULL) != THUD_OK ||
         !thud_param_unusual(param, value.value, usual, sizeof usual))
         return;
-    thud_tui_say(tui, THUD_ROLE_WARN, "! %s %s is unusual (usual: %s). It is taken nevertheless", param->name, text,
+    thud_tui_say(tui, THUD_ROLE_WARN, "! %s %.60s is unusual (usual: %s). It is taken nevertheless", param->name, text,
                  usual);
 }
 
@@ -193,7 +192,7 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
         if (thud_ascii_ends(key, "bumper.exponent"))
             say_force(tui, before_n, interface_of(tui, key));
         if (!*tui->said.text)
-            warn(tui, key);
+            warn(tui, key, full.data);
     } else
         thud_tui_say_error(tui, &err);
     thud_text_clear(&full);
