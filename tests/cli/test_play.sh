@@ -26,13 +26,21 @@ is "the force is that of thud run" [ "$(awk -v a="$told" -v b="$expect" 'BEGIN {
 "$THUD" sweep towers --set gap=12cm --vary gap=6cm:14cm:2cm --csv >sweep.csv 2>err
 is "the study is that of thud sweep" cmp -s sweep.csv tables/towers-sweep.csv
 
+# a line that is refused is bad input; one that cannot write has the status of output
+for line in 'set gap 0' 'records ,,' 'show /dev/full' 'write /dev/full/a.yaml' 'uncertainty -o /dev/full/a --samples 2'; do
+    case $line in set* | records*) expect=3 ;; *) expect=6 ;; esac
+    printf '%s\n' "$line" >refused
+    is "$line: a line that is refused" gives "$expect" towers --play refused
+    is "has its place" says '^refused:1: '
+done
+
 printf 'set gap 0.3 ft\nundo\nset contact.stiffness 1.7 kip/in\n' >feet
 is "values in other units" gives 0 towers --play feet
 is "come back as the decimals that they are" shows '^Undone: gap 10 cm -> 9.144 cm$'
 is "and are called as they were typed" shows '^! stiffness 1.7 kip/in is unusual '
 
 printf 'open towers\nshow\nshow screen.svg\nshow no/screen.svg\n' >shot
-is "a picture into a folder that is not there is refused" gives 3 --play shot
+is "a picture into a folder that is not there is refused" gives 6 --play shot
 is "with its line" says '^shot:4: '
 sed -n 's|</text>$||; s|^<text [^>]*>||p' screen.svg | tr -d ' \n' | sed 's/&lt;/</g; s/&amp;/\&/g' >letters
 sed '1,/^> show$/d; /^> show screen/,$d' out | tr -d ' \n' >screen
@@ -87,7 +95,7 @@ if [ -w /dev/full ]; then
     is "a full standard output: exit status 6" [ $? -eq 6 ]
     is "with the system's reason" grep -q '^thud: standard output: No space left on device$' err
     printf 'open towers\nshow /dev/full\n' >full
-    is "a screen onto a full disk" gives 3 --play full
+    is "a screen onto a full disk" gives 6 --play full
     is "is refused with line, file and reason" says '^full:2: /dev/full: .*No space left on device$'
     printf 'open towers\nset gap 12 cm\nwrite /dev/full\n' >full
     is "a preset into a device" gives 3 --play full

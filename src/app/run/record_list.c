@@ -529,9 +529,9 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
     free(copy);
     if (status != THUD_OK)
         thud_record_list_clear(r.list);
-    if (status == THUD_INPUT && err && (r.look || strcmp(err->key, "record.file") == 0))
+    if (status != THUD_OK && err && (r.look || strcmp(err->key, "record.file") == 0))
         thud_error_key(err, "study.records");
-    return status;
+    return status == THUD_USAGE && r.look ? THUD_INPUT : status; /* a value, and no option */
 }
 
 enum thud_status thud_record_list_own(struct thud_session *session, bool both, struct thud_record_list *out,

@@ -31,6 +31,7 @@ void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ..
     if (*tui->said.text)
         thud_tui_keep_message(tui, "", tui->said.text);
     tui->said.role = role;
+    tui->said.status = THUD_INPUT;
     tui->redraw.wanted = true;
 }
 
@@ -65,6 +66,7 @@ void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err)
 {
     char text[600];
     thud_tui_say(tui, THUD_ROLE_ERROR, "! %s", thud_tui_error_text(err, text, sizeof text));
+    tui->said.status = err->status == THUD_USAGE ? THUD_INPUT : err->status; /* a line is no command line */
 }
 
 void thud_tui_hush(struct thud_tui *tui)

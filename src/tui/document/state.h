@@ -234,6 +234,7 @@ struct thud_tui {
     struct {
         char text[640];
         enum thud_role role;
+        enum thud_status status; /* of an error */
     } said;
     struct {
         char text[320]; /* the result in one line, as last known */

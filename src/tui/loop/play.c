@@ -28,13 +28,13 @@ static void print_screen(struct thud_tui *tui, struct thud_text *out)
     free(text);
 }
 
-/* One line; false where it was refused, and `err` says why. */
-static bool play_line(struct thud_tui *tui, char *line, struct thud_text *out, struct thud_error *err)
+/* One line. Errors: those of the line, which was refused. */
+static enum thud_status play_line(struct thud_tui *tui, char *line, struct thud_text *out, struct thud_error *err)
 {
     char before[sizeof tui->verdict.text];
     line += strspn(line, " \t:");
     if (!*line || *line == '#')
-        return true;
+        return THUD_OK;
     memcpy(before, tui->verdict.text, sizeof before);
     size_t echo = out->size;
     thud_text_append(out, "> %s\n", line);
@@ -43,30 +43,27 @@ static bool play_line(struct thud_tui *tui, char *line, struct thud_text *out, s
     thud_tui_hush(tui);
     if (strcmp(line, "show") == 0) {
         print_screen(tui, out);
-        return true;
+        return THUD_OK;
     }
     if (strncmp(line, "show ", 5) == 0) {
         struct thud_text svg = {0};
         thud_canvas_svg(&tui->canvas, &svg);
-        return thud_text_write(&svg, line + 5 + strspn(line + 5, " "), err) == THUD_OK;
+        return thud_text_write(&svg, line + 5 + strspn(line + 5, " "), err);
     }
     tui->end.playing = true;
     thud_tui_command(tui, line);
     finish_work(tui);
     tui->end.playing = false;
-    if (tui->said.role == THUD_ROLE_ERROR && *tui->said.text) {
-        thud_error_set(err, THUD_INPUT, "%s", tui->said.text + 2 * (strncmp(tui->said.text, "! ", 2) == 0));
-        return false;
-    }
-    if (tui->dialog.mode != THUD_MODE_NORMAL && !tui->end.quit) {
-        thud_error_set(err, THUD_INPUT, "waits for an answer%s%s", *tui->said.text ? ": " : "", tui->said.text);
-        return false;
-    }
+    if (tui->said.role == THUD_ROLE_ERROR && *tui->said.text)
+        return thud_error_set(err, tui->said.status, "%s",
+                              tui->said.text + 2 * (strncmp(tui->said.text, "! ", 2) == 0));
+    if (tui->dialog.mode != THUD_MODE_NORMAL && !tui->end.quit)
+        return thud_error_set(err, THUD_INPUT, "waits for an answer%s%s", *tui->said.text ? ": " : "", tui->said.text);
     if (*tui->said.text)
         thud_text_append(out, "%s\n", tui->said.text);
     if (*tui->verdict.text && strcmp(before, tui->verdict.text) != 0)
         thud_text_append(out, "%s\n", tui->verdict.text);
-    return true;
+    return THUD_OK;
 }
 
 enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, struct thud_text *out,
@@ -82,9 +79,9 @@ enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, str
         thud_text_append(out, "%s\n", tui->verdict.text);
     for (rest = text; status == THUD_OK && !tui->end.quit && (line = thud_text_line(&rest)) != NULL;) {
         number++;
-        if (!play_line(tui, line, out, err)) {
+        if ((status = play_line(tui, line, out, err)) != THUD_OK) {
             char said[sizeof tui->said.text];
-            status = thud_error_set(err, THUD_INPUT, "%s", thud_error_text(err, said, sizeof said));
+            thud_error_set(err, status, "%s", thud_error_text(err, said, sizeof said));
             thud_error_place(err, path, number, 0);
         }
     }

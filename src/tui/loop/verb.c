@@ -166,6 +166,7 @@ void thud_tui_verb_look(struct thud_tui *tui)
         const char *why = *line ? line + (strncmp(line, "thud: ", 6) == 0 ? 6 : 0) : "it failed without a word";
         const bool named = strncmp(why, tui->files.written, strlen(tui->files.written)) == 0;
         thud_tui_say(tui, THUD_ROLE_ERROR, "! %s%s%s", named ? "" : tui->files.written, named ? "" : ": ", why);
+        tui->said.status = status == THUD_USAGE ? THUD_INPUT : (enum thud_status)status;
     }
     thud_text_clear(&printed);
     thud_text_clear(&said);
