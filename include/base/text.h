@@ -15,6 +15,7 @@ struct thud_text {
 };
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
 void thud_text_append_list(struct thud_text *text, const char *fmt, va_list args) THUD_PRINTF(2, 0);
+enum { THUD_LINE_WIDTH = 80 }; /* columns of a line of a terminal */
 /* Appends words from where the last line ends, in lines of so many columns, the further ones behind `indent` blanks. A
  * tab is a blank at which no line ends. */
 void thud_text_wrap(struct thud_text *text, const char *words, size_t indent, size_t columns);
@@ -22,8 +23,8 @@ void thud_text_wrap(struct thud_text *text, const char *words, size_t indent, si
 void thud_append(char *text, size_t size, const char *fmt, ...) THUD_PRINTF(3, 4);
 void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size);
 void thud_text_base64(struct thud_text *text, const char *bytes, size_t n);
-/* Writes a name in a table, left-aligned in this many screen columns and never cut. A table's column is as wide as its
- * widest name (thud_text_wider, starting from the least width). */
+/* Writes a name in a table, left-aligned in this many screen columns and never cut: what follows a longer one stands on
+ * the next line. A table's column is as wide as its widest name (thud_text_wider, starting from the least width). */
 void thud_text_padded(struct thud_text *text, const char *name, int columns);
 int thud_text_wider(int columns, const char *name);
 void thud_text_number(struct thud_text *text, double value); /* shortest text that reads back the same */

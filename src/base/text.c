@@ -65,10 +65,16 @@ static size_t columns_of(const char *text, size_t bytes)
     return (size_t)columns;
 }
 
+/* Columns of the last line, without an end. */
+static size_t last_column(const struct thud_text *text)
+{
+    const char *last = text->size > 0 ? strrchr(text->data, '\n') : NULL, *line = last ? last + 1 : text->data;
+    return text->size > 0 ? columns_of(line, strlen(line)) : 0;
+}
+
 void thud_text_wrap(struct thud_text *text, const char *words, size_t indent, size_t columns)
 {
-    const char *last = text->data ? strrchr(text->data, '\n') : NULL, *line = last ? last + 1 : text->data;
-    size_t from = text->size, column = from > 0 ? columns_of(line, strlen(line)) : 0;
+    size_t from = text->size, column = last_column(text);
     for (const char *word = words + strspn(words, " "); *word && !text->failed; word += strspn(word, " ")) {
         const size_t n = strcspn(word, " "), width = columns_of(word, n);
         const size_t blank = column > 0 && text->data[text->size - 1] != ' ';
@@ -193,7 +199,10 @@ int thud_text_wider(int columns, const char *name)
 
 void thud_text_padded(struct thud_text *text, const char *name, int columns)
 {
-    thud_text_append(text, "%s%*s", name, thud_text_wider(columns, name) - thud_utf8_columns(name), "");
+    const int before = (int)last_column(text);
+    const bool fits = thud_utf8_columns(name) <= columns;
+    thud_text_append(text, "%s%s%*s", name, fits ? "" : "\n",
+                     fits ? columns - thud_utf8_columns(name) : before + columns, "");
 }
 
 void thud_text_comment(struct thud_text *text, const char *name, const char *value)

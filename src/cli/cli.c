@@ -28,7 +28,7 @@ static command_function *const commands[THUD_COMMANDS] = {
 void thud_cli_words(const char *words, struct thud_text *out)
 {
     thud_text_append(out, "  ");
-    thud_text_wrap(out, words, 4, THUD_TABLE_WIDTH);
+    thud_text_wrap(out, words, 4, THUD_LINE_WIDTH);
     thud_text_append(out, "\n");
 }
 

@@ -140,7 +140,7 @@ static void put_law(const struct thud_law *law, struct thud_text *out)
             add_choices(p, &words);
             thud_text_append(&words, ")\t %s", p->title);
             thud_text_append(out, "  ");
-            thud_text_wrap(out, words.data ? words.data : "", INDENT, THUD_TABLE_WIDTH);
+            thud_text_wrap(out, words.data ? words.data : "", INDENT, THUD_LINE_WIDTH);
             thud_text_append(out, "\n");
             out->failed |= words.failed;
             thud_text_clear(&words);

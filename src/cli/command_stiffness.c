@@ -88,15 +88,6 @@ static enum thud_status add_pad(const struct thud_args *args, struct told *told,
     return THUD_OK;
 }
 
-/* -: a floor that impulses strike, or their force. */
-static void put_peak(struct thud_text *out, int width, double value)
-{
-    if (isnan(value))
-        thud_text_append(out, "%*s", width, "-");
-    else
-        thud_text_append(out, "%*.4g", width, value);
-}
-
 static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, const struct thud_stiffness_row *row,
                      int n, struct told *told)
 {
@@ -112,26 +103,25 @@ static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, 
                                                                           scene->structure[s].name,
                                                                           row[i].acceleration_mps2[s],
                                                                           row[i].drift_m[s]};
-    thud_text_append(out, "\n%-10s %8s %12s", name, "impacts", "force");
-    for (int s = 0; s < scene->nstructures; s++)
-        if (scene->structure[s].kind != THUD_WALL)
-            thud_text_append(out, "  %9.9s accel  drift", scene->structure[s].name);
-    thud_text_append(out, "\n%-10s %8s %12s", "stiffness", "", "kN");
-    for (int s = 0; s < scene->nstructures; s++)
-        if (scene->structure[s].kind != THUD_WALL)
-            thud_text_append(out, "  %15s %6s", "m/s2", "mm");
-    thud_text_append(out, "\n");
-    for (int i = 0; i < n; i++) {
-        thud_text_append(out, "x %-8g %8d ", row[i].factor, row[i].impacts);
-        put_peak(out, 12, 1e-3 * row[i].force_n);
-        for (int s = 0; s < scene->nstructures; s++)
-            if (scene->structure[s].kind != THUD_WALL) {
-                thud_text_append(out, "  ");
-                put_peak(out, 15, row[i].acceleration_mps2[s]);
-                thud_text_append(out, " %6.3g", 1e3 * row[i].drift_m[s]);
-            }
-        thud_text_append(out, "\n");
+    struct thud_column column[3 + 2 * THUD_STRUCTURES_MAX] = {
+        {THUD_COLUMN(struct thud_stiffness_row, factor, "", ""), .shown = {name, "times", 1, 9, 4, THUD_DIGITS_FREE}},
+        {THUD_COLUMN(struct thud_stiffness_row, impacts, "", ""),
+         .shown = {"impacts", NULL, 1, 9, 0, THUD_DIGITS_WORD}},
+        {THUD_COLUMN(struct thud_stiffness_row, force_n, "", ""),
+         .shown = {"force", "kN", 1e-3, 12, 4, THUD_DIGITS_FREE}}};
+    char head[THUD_STRUCTURES_MAX][24];
+    struct thud_schema schema = {"", "", column, 3};
+    for (int s = 0; s < scene->nstructures; s++) {
+        if (scene->structure[s].kind == THUD_WALL)
+            continue;
+        snprintf(head[s], sizeof head[s], "%.9s accel", scene->structure[s].name);
+        column[schema.n++] = (struct thud_column){THUD_COLUMN(struct thud_stiffness_row, acceleration_mps2[s], "", ""),
+                                                  .shown = {head[s], "m/s2", 1, 18, 4, THUD_DIGITS_FREE}};
+        column[schema.n++] = (struct thud_column){THUD_COLUMN(struct thud_stiffness_row, drift_m[s], "", ""),
+                                                  .shown = {"drift", "mm", 1e3, 7, 3, THUD_DIGITS_FREE}};
     }
+    thud_text_append(out, "\n");
+    thud_rows_table(&(struct thud_rows){&schema, 0, n, thud_array_row, &(struct thud_array){row, sizeof *row}}, out);
 }
 
 /* In place of the text what the rows hold. */

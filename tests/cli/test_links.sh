@@ -51,7 +51,7 @@ is "its force ends at the slip force" shows 'A.4-B.4 *friction *1000.0 .* 51$'
 is "and the energy has what it loses" shows 'lost in links that slip'
 # shellcheck disable=SC2086
 is "its events are listed" gives 0 run $scene $friction --set links.1.slip=1MN --events --quiet
-is "slipping and held" test "$(grep -c 'link 1 .*slips, d' "$tmp/out") $(grep -c 'link 1 .*held$' "$tmp/out")" = "51 51"
+is "slipping and held" test "$(grep -c 'link 1 .*slips$' "$tmp/out") $(grep -c 'link 1 .*held$' "$tmp/out")" = "51 51"
 is "each at the slip force" test "$(grep -c 'link 1 .* -*1000\.0  ' "$tmp/out")" = 102
 
 is "cases with and without it" sh -c "THUD_GNUPLOT=/bin/false '$THUD' run $scene --cases none,link --quiet -o '$tmp/beside' >/dev/null 2>&1; [ -s '$tmp/beside/made-by.txt' ]"
@@ -81,7 +81,7 @@ is "and has no list of them" test "$(grep -c '"links"' "$tmp/out")" = 0
 is "floor spectra say which links act" sh -c "grep -q 'no pounding, links act' '$tmp/floors/floor-spectra.gp' && \"$THUD\" run towers-linked --floor-spectra 5% --floor A.1 --quiet | grep -q '^  *no pounding, links act  *neither bumper nor links  *bumper and links *$'"
 is "bumper, damper or tie: a study over several motions" gives 0 sweep $scene --format svg --quiet -o "$tmp/study"
 is "says how many responses each lowers" shows '^In the geometric median over 8 motions, of 9 responses$'
-is "and which lowers what" shows '^  largest acceleration of A: tie (500 MN/m), geometric median ratio 0\.2[0-9]*, lower under 8 of 8 motions$'
+is "and which lowers what" sh -c "tr -s '\n ' '  ' <'$tmp/out' | grep -q ' largest acceleration of A: tie (500 MN/m), geometric median ratio 0\.2[0-9]*, lower under 8 of 8 motions '"
 is "the one under which less is left where medians are equal" shows '^  largest force: tie (500 MN/m), geometric median ratio 0\.000'
 is "a bumper is the same whatever the link" shows '^mean acceleration of A  *0\.[0-9]*  [0-9]  0  [0-9]$'
 lowered() { # PANEL SERIES COLUMN: the values of a series of the figure, from the first response on
@@ -152,7 +152,7 @@ is "and tells of the link" grep -q '^- Link 1, A.4-B.4 (spring), [^:]*: largest 
     is "has each building's own period and damping" [ "$(grep -c '^| A | 0.398 | 5 | \|^| B | 0.582 | 5 | ' "$tmp/own/report.md")" -eq 2 ]
     is "cases with and without the link" gives 0 run $scene $motion --cases none,bumper,link --quiet
     is "need two gaps" [ "$(grep -c 'do not collide at gaps' "$tmp/out")" -eq 2 ]
-    is "the names of the cases say what they leave out" shows "neither bumper nor links  bumper, no links  links, no bumper"
+    is "the names of the cases say what they leave out" shows "neither bumper nor links  *bumper, no links  *links, no bumper"
     is "and so do sentences" [ "$(grep -c '^Without the bumper and links: \|^With the bumper and without links: \|^With the links and without the bumper: ' "$tmp/out")" -eq 3 ]
     is "what lowers is named" [ "$(grep -c '^The bumper lowers\|^The links lower' "$tmp/out")" -eq 4 ]
     is "with the link that of gap" shows "^With the links: A and B do not collide at gaps of $(needs "$scene") cm"

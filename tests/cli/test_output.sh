@@ -226,4 +226,4 @@ mills "struck columns" 4 run slab-against-columns --to 5s
 mills "links" 1 run towers-linked --to 5s
 mills "sensitivity" 4 run towers --to 5s --sensitivity
 mills "uncertain inputs" 4 uncertainty towers --to 5s --samples 2
-is "and units" [ "$(grep -c "[a-z0-9] m/s2  *[0-9]" "$tmp/out")" -ge 8 ]
+is "and units" [ "$(tr '\n' ' ' <"$tmp/out" | grep -o "[a-z0-9] m/s2  *[0-9]" | wc -l)" -ge 8 ]

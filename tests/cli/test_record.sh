@@ -190,7 +190,7 @@ is "a record stands with its peak" shows '^kobe-surrogate.csv .* 0.8210 g$'
 cp records/kobe-surrogate.csv "$tmp/folder/a-name-of-more-than-forty-four-signs-in-all-here-now.csv"
 is "a long name" gives 0 record list "$tmp/folder"
 is "moves the columns of all" [ "$(awk '/ CSV / { print index($0, " CSV ") }' "$tmp/out" | sort -u | wc -l)" -eq 1 ]
-is "prose is named with the reason" shows '^letter.txt  *cannot be read: no accelerogram is recognized in it$'
+is "prose is named with the reason" sh -c "tr -s '\n ' '  ' <'$tmp/out' | grep -q ' letter.txt cannot be read: no accelerogram is recognized in it '"
 is "where every entry is listed nothing is said to be left out" [ "$(grep -c '^not listed' "$tmp/out")" -eq 0 ]
 mkdir "$tmp/folder/more" && touch "$tmp/folder/all.list" "$tmp/folder/.hidden"
 is "a folder in a folder" gives 0 record list "$tmp/folder"
@@ -255,7 +255,7 @@ is "rotd50 without a period" gives 3 record info "$k" --component rotd50
 is "asks for it" says "period: rotd50 needs the period"
 is "nor is it made of words" gives 3 record info "$k" --component rotated
 is "record list tells what pairs" gives 0 record list "$tmp/two"
-is "by name" shows '^AOM0011801241951.EW .* with AOM0011801241951.NS$'
+is "by name" sh -c "grep -A1 '^AOM0011801241951.EW ' '$tmp/out' | grep -q '^    with AOM0011801241951.NS$'"
 is "and not what is vertical" shows '^AOM0011801241951.UD .* g$'
 widest() { "$THUD" gap towers --csv --quiet "$@" | awk -F, 'NR > 1 && $7 > m { m = $7 } END { print m }'; }
 is "the direction that governs is one of every 5 degrees" [ "$(widest --records "$k:component=governs")" = "$( (widest --record "$k" --component rot35 && widest --record "$k" --component rot215) | sort -g | tail -1)" ]

@@ -175,6 +175,12 @@ is "events: the ultimate compression" near "$(column branch 10)" 6335e3 1e-4
 events=$(sed -n 's/.*"events": *\([0-9]*\).*/\1/p' "$tmp/json" | head -1)
 is "events: as text" gives 0 run towers --events --quiet
 is "events: as many as the result counts" [ "$(($(wc -l <"$tmp/out") - 1))" -eq "$events" ]
+# the order of a guard stands in the text where it is not 0
+gives 0 run isolated-moat-backfill --events --csv --quiet
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $c["order"] > 0 { print $c["event"], $c["order"] }' "$tmp/out" >"$tmp/orders"
+gives 0 run isolated-moat-backfill --events --quiet
+sed -n 's/^ *[0-9.]* link [0-9]* *\([a-z-]*\) .*, order \([0-9]*\) .*/\1 \2/p' "$tmp/out" >"$tmp/told"
+is "events: with the order of their guards as in CSV" sh -c "[ -s '$tmp/orders' ] && cmp -s '$tmp/orders' '$tmp/told'"
 is "events: as JSON" gives 0 run towers --events --json --quiet
 is "events: so many objects" [ "$(grep -c '"time_s"' "$tmp/out")" -eq "$events" ]
 gives 0 run towers --case bumper --set gap=5cm --events --csv --quiet

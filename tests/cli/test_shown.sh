@@ -80,7 +80,11 @@ for how in "" --events --csv --json; do
     is "mixed-row${how:+ }$how shows no -0" sh -c '! "$1" run mixed-row $3 --quiet 2>/dev/null | grep -qE -e "$2"' sh "$THUD" "$minus" $how
 done
 
-# sentences, and the tables of scenes with short names, fit into the narrowest terminal
+# sentences and tables fit into the narrowest terminal: long names stand on lines of their own, and what has no room
+# follows in a table of its own
+mkdir "$tmp/long"
+cp records/kobe-surrogate.csv "$tmp/long/a-name-that-would-move-every-column-of-a-table-out-of-the-terminal.csv"
+cp records/northridge-surrogate.csv "$tmp/long/b.csv"
 while read -r line; do
     # shellcheck disable=SC2086 # words
     is "thud $line" gives 0 $line
@@ -97,6 +101,19 @@ verify --published
 gap three-in-a-row --quiet
 uncertainty three-in-a-row --samples 5 --quiet
 sweep three-in-a-row --vary record.factor=0.5,1 --quiet
+run towers-yielding --events --quiet
+run mixed-row --events --quiet
+run mixed-row --cases none --quiet
+simplify rigid-concrete --quiet
+bench rigid-concrete --methods exact,newmark --quiet
+stability rigid-concrete --quiet
+stiffness three-in-a-row --quiet
+gap isolated-moat --records $tmp/long --quiet
+record list $tmp/long
+suite $tmp/long --preset towers --quiet
+sweep towers-linked --vary links.1.damping=1MNs/m,2MNs/m --records records --cases none,bumper,link --quiet
+sweep towers --vary gap=5cm,10cm --vary bumper.thickness=2cm,4cm --best bumper.thickness --records $tmp/long --quiet
+uncertainty isolated-pendulum --samples 5 --quiet
 fragility towers --records records --vary gap=8cm,12cm,16cm --quiet
 sweep towers --quiet
 solve towers --for force<30MN --by gap=8cm:25cm --quiet

@@ -67,6 +67,49 @@ START_TEST(one_line_of_a_table_is_in_every_form)
 }
 END_TEST
 
+struct wide {
+    const char *name;
+    double value[12];
+};
+
+static void make_wide(const void *of, int i, void *out)
+{
+    static const char *const name[] = {"short", "a name that would push all numbers of its row out of the terminal"};
+    struct wide *row = out;
+    (void)of;
+    row->name = name[i];
+    for (int k = 0; k < 12; k++)
+        row->value[k] = 100 * (i + 1) + k;
+}
+
+/* A table of twelve numbers is in blocks of 80 columns, each behind the name: every number is there once. */
+START_TEST(what_is_wider_than_a_line_follows)
+{
+    enum { N = 12 };
+    struct thud_column column[N + 1] = {
+        {THUD_COLUMN(struct wide, name, "", ""), .shown = {"name", NULL, 0, -5, 0, THUD_DIGITS_WORD}}};
+    struct thud_schema broad = {"", "", column, N + 1};
+    struct thud_text out = {0};
+    for (int k = 0; k < N; k++)
+        column[k + 1] = (struct thud_column){THUD_COLUMN(struct wide, value[k], "", ""),
+                                             .shown = {"a head", NULL, 1, 20, 4, THUD_DIGITS_FREE}};
+    thud_rows_table(&(struct thud_rows){&broad, 0, 2, make_wide, NULL}, &out);
+    int blocks = 0;
+    for (const char *at = out.data; (at = strstr(at, "name ")) != NULL; at++)
+        blocks += at == out.data || at[-1] == '\n';
+    ck_assert_int_gt(blocks, 1);
+    for (int i = 0; i < 2 * N; i++) {
+        char number[8];
+        snprintf(number, sizeof number, " %d", 100 * (i / N + 1) + i % N);
+        const char *first = strstr(out.data, number);
+        ck_assert_msg(first && !strstr(first + 1, number), "%s", number);
+    }
+    for (char *rest = out.data, *line; (line = strtok_r(rest, "\n", &rest)) != NULL;)
+        ck_assert_msg(strlen(line) <= 80, "%s", line);
+    thud_text_clear(&out);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -74,6 +117,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("schema");
     tcase_add_test(tcase, no_number_runs_into_another);
     tcase_add_test(tcase, one_line_of_a_table_is_in_every_form);
+    tcase_add_test(tcase, what_is_wider_than_a_line_follows);
     suite_add_tcase(suite, tcase);
     return suite;
 }

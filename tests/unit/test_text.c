@@ -136,6 +136,19 @@ START_TEST(words_are_wrapped)
 }
 END_TEST
 
+START_TEST(a_long_name_has_a_line_of_its_own)
+{
+    struct thud_text text = {0};
+    thud_text_append(&text, "  ");
+    thud_text_padded(&text, "B\xc3\xbcro", 5);
+    thud_text_append(&text, "1\n  ");
+    thud_text_padded(&text, "an office", 5);
+    thud_text_append(&text, "2");
+    ck_assert_str_eq(text.data, "  B\xc3\xbcro 1\n  an office\n       2");
+    thud_text_clear(&text);
+}
+END_TEST
+
 START_TEST(utf8_characters)
 {
     static const struct {
@@ -257,6 +270,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, grows_past_every_capacity);
     tcase_add_test(tcase, a_fixed_text_is_cut_at_its_end);
     tcase_add_test(tcase, words_are_wrapped);
+    tcase_add_test(tcase, a_long_name_has_a_line_of_its_own);
     tcase_add_test(tcase, utf8_characters);
     tcase_add_test(tcase, numbers_read_back_the_same);
     tcase_add_test(tcase, numbers_have_the_fewest_digits);

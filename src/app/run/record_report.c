@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "app/run/record_verbs.h"
+#include "app/run/result_table.h"
 #include "base/quantity.h"
 #include "io/file/paths.h"
 #include "io/record/record_component.h"
@@ -91,7 +92,7 @@ static void begin(struct listing *listing, const char *name, int width, enum thu
 {
     *listing = (struct listing){{out, &thud_motion_list_schema, NULL, form == THUD_AS_JSON, 0},
                                 form != THUD_AS_TEXT,
-                                (int)fmax(20, fmin(60, width))};
+                                (int)fmax(20, fmin(42, width))};
     if (listing->data)
         thud_list_begin(&listing->rows, "records");
     else
@@ -119,13 +120,19 @@ static void put_entry(struct listing *listing, const char *path, const char *nam
                                              record ? thud_record_peak(record) : NAN};
     if (listing->data)
         thud_list_add(&listing->rows, &row, NULL, 0);
-    else if (record)
-        thud_text_append(out, "%-*s %-14s %8zu  %7.6g s  %7.4f g%s%s\n", listing->width, name, row.format, row.samples,
-                         row.dt_s, row.pga_mps2 / THUD_GRAVITY, *pair ? "  with " : "", pair);
-    else if (*why)
-        thud_text_append(out, "%-*s cannot be read: %s\n", listing->width, name, why);
     else
-        thud_text_append(out, "%-*s needs --%s%s%s\n", listing->width, name, needs, *pair ? ", of " : "", pair);
+        thud_text_padded(out, name, listing->width);
+    if (!listing->data && record)
+        thud_text_append(out, " %-9s %7zu %7.6g s %7.4f g%s%s\n", row.format, row.samples, row.dt_s,
+                         row.pga_mps2 / THUD_GRAVITY, *pair ? "\n    with " : "", pair);
+    else if (!listing->data) {
+        struct thud_text words = {0};
+        if (*why)
+            thud_text_append(&words, "cannot be read: %s", why);
+        else
+            thud_text_append(&words, "needs --%s%s%s", needs, *pair ? ", of " : "", pair);
+        thud_table_words(out, " ", &words, (size_t)listing->width + 3);
+    }
 }
 
 /* With its reason where it cannot be read as a record. Errors: THUD_MEMORY. */

@@ -21,10 +21,20 @@ void thud_table_words(struct thud_text *out, const char *label, struct thud_text
             (words->data[i + 1] > '9' || words->data[i + 1] == '%'))
             words->data[i] = '\t';
     thud_text_append(out, "%s", label);
-    thud_text_wrap(out, words->data ? words->data : "", indent, THUD_TABLE_WIDTH);
+    thud_text_wrap(out, words->data ? words->data : "", indent, THUD_LINE_WIDTH);
     thud_text_append(out, "\n");
     out->failed |= words->failed;
     thud_text_clear(words);
+}
+
+void thud_table_whole(struct thud_text *out, const char *words, size_t indent)
+{
+    struct thud_text whole = {0};
+    thud_text_append(&whole, "%s", words);
+    for (char *blank = whole.data; blank && (blank = strchr(blank, ' ')) != NULL;)
+        *blank = '\t';
+    thud_text_wrap(out, whole.data ? whole.data : "", indent, THUD_LINE_WIDTH);
+    thud_text_clear(&whole);
 }
 
 void thud_table_lines(struct thud_text *out, struct thud_text *lines, size_t indent)
@@ -258,7 +268,7 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
     thud_text_append(out, "method         %s", r->method);
     if (r->reason[0])
         snprintf(words, sizeof words, "(%s)", r->reason);
-    thud_text_wrap(out, words, LABEL, THUD_TABLE_WIDTH);
+    thud_text_wrap(out, words, LABEL, THUD_LINE_WIDTH);
     thud_text_append(out, "\n               ");
     *words = '\0';
     if (isnan(r->step_s))
@@ -267,7 +277,7 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
         add_step(r->step_s, report->scene->analysis.step_s, words, sizeof words);
     thud_append(words, sizeof words, ", %ld steps, %ld force evaluations, %ld events, to\t%.5g\ts", r->work.steps,
                 r->work.force_evaluations, r->work.events, r->end_s);
-    thud_text_wrap(out, words, LABEL, THUD_TABLE_WIDTH);
+    thud_text_wrap(out, words, LABEL, THUD_LINE_WIDTH);
     thud_text_append(out, "\n");
 }
 

@@ -344,7 +344,9 @@ void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *
 {
     const struct thud_scene *scene = &cases->item[0].scene;
     int none = without(cases);
-    thud_text_append(out, "%s: %s\n", scene->name, scene->title);
+    struct thud_text title = {0};
+    thud_text_append(&title, "%s: %s", scene->name, scene->title);
+    thud_table_words(out, "", &title, 2);
     char peak[96];
     if (cases->record) {
         thud_record_peak_text(cases->record, peak, sizeof peak);

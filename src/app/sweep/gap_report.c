@@ -23,14 +23,14 @@ static const char *floors(const struct thud_gap_level *level, char text[24])
     return text;
 }
 
-enum { NAME = 26 };
+enum { NAME = 25 };
 
 static void put_head(const char *first, int width, const char *last, struct thud_text *out)
 {
     thud_text_padded(out, first, width);
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
         thud_text_append(out, " %7s", thud_gap_rule_at(rule)->name);
-    thud_text_append(out, "%s%s\n", *last ? "  " : "", last);
+    thud_text_append(out, "%s%s\n", *last ? " " : "", last);
 }
 
 static void put_gap(struct thud_text *out, double gap_m)
@@ -44,17 +44,14 @@ static void put_gap(struct thud_text *out, double gap_m)
 static void put_records(const struct thud_gap_suite *suite, struct thud_text *out)
 {
     char text[24];
-    int width = NAME;
-    for (int r = 0; r < suite->nrecords; r++)
-        width = thud_text_wider(width, suite->record[r]);
-    put_head("widest of all levels (cm)", width, "at", out);
+    put_head("widest of all levels (cm)", NAME, "at", out);
     for (int r = 0; r < suite->nrecords; r++) {
         int level = 0;
-        thud_text_padded(out, suite->record[r], width);
+        thud_text_padded(out, suite->record[r], NAME);
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
             put_gap(out, thud_needed_gap_widest(suite->gap[r], 0, rule, NULL));
         thud_needed_gap_widest(suite->gap[r], 0, THUD_GAP_EXACT, &level);
-        thud_text_append(out, "  %s\n", floors(&suite->gap[r]->level[level], text));
+        thud_text_append(out, " %s\n", floors(&suite->gap[r]->level[level], text));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "app/sweep/fragility_report.h"
 #include "plot/figures/figures_case.h"
 
@@ -172,9 +173,14 @@ static void put_cell(const struct thud_fractiles *r, int width, struct thud_text
 
 static void put_case(const struct compared *c, int k, struct thud_text *out)
 {
-    int width = 28, cell = 16;
+    int width = 28, cell = 16, columns = 0;
     for (int i = 0; i < c->nmeasures; i++)
-        cell = c->measure[i].k == k ? thud_text_wider(cell, c->measure[i].column) : cell;
+        if (c->measure[i].k == k) {
+            cell = thud_text_wider(cell, c->measure[i].column);
+            columns++;
+        }
+    if (width + columns * (cell + 1) > THUD_LINE_WIDTH)
+        width = 20;
     for (int q = 0; q < c->nresponses; q++)
         width = thud_text_wider(width, c->response[q].name);
     thud_text_append(out, "\n%s over none: geometric median ratio, and motions lower, equal, higher\n%*s",
@@ -209,11 +215,13 @@ static void put_best(const struct compared *c, int q, struct thud_text *out)
         best = is_better(&c->of[q][i], best) ? &c->of[q][i] : best;
     if (best->n == 0)
         return;
+    struct thud_text words = {0};
     if (best->median < 1 - rounding)
-        thud_text_append(out, "  %s: %s, geometric median ratio %.3f, lower under %zu of %zu motions\n",
+        thud_text_append(&words, "%s: %s, geometric median ratio %.3f, lower under %zu of %zu motions",
                          c->response[q].name, c->measure[best - c->of[q]].name, best->median, best->below, best->n);
     else
-        thud_text_append(out, "  %s: none of them lowers the median\n", c->response[q].name);
+        thud_text_append(&words, "%s: none of them lowers the median", c->response[q].name);
+    thud_table_words(out, "  ", &words, 4);
 }
 
 /* Which of bumper and links lowers what most, and how much each lowers at all. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/result_table.h"
 #include "io/result/sweep_csv.h"
 
 enum {
@@ -101,8 +102,10 @@ static void put_table_row(const struct thud_suite *suite, const int *at, int k, 
         thud_text_append(out, isnan(ratio[q]) ? "      -" : " %6.3f", ratio[q]);
     for (int f = 0; f < (suite->features & THUD_HAS_LINK_FORCES ? 2 : 1); f++)
         for (int q = 1; q < FRACTILES; q++)
-            thud_text_append(out, isnan(force[f][q]) ? "       -" : " %7.3g", 1e-6 * force[f][q]);
-    thud_text_append(out, "  %s\n", thud_sweep_setting(plan, plan->naxes, at, -1, false, name, sizeof name));
+            thud_text_append(out, isnan(force[f][q]) ? "      -" : " %6.3g", 1e-6 * force[f][q]);
+    thud_sweep_setting(plan, plan->naxes, at, -1, false, name, sizeof name);
+    thud_table_whole(out, name, 11);
+    thud_text_append(out, "\n");
 }
 
 enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_written as, struct thud_text *out,
@@ -128,10 +131,10 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
     else
         thud_text_append(out,
                          "over %d ground motions: how many pound, and under how many accelerations grow\n"
-                         "%*s            mean acc. ratio (geometric)   force (MN)%s\n"
-                         "  case     %-*spound grow   16 %% median   84 %%  median    84 %%%s  at\n",
-                         suite->nrecords, 1 + width, "", links ? "     of a link" : "", width, "of",
-                         links ? "  median    84 %" : "");
+                         "%*s            mean acc. ratio (geometric) force (MN)%s\n"
+                         "  case     %-*spound grow   16 %% median   84 %% median   84 %%%s\n",
+                         suite->nrecords, 1 + width, "", links ? "    of a link" : "", width, "of",
+                         links ? " median   84 %" : " at");
     for (long i = 0; i < suite->settings; i++) {
         thud_sweep_place(plan, i, at);
         for (int k = 0; k < plan->ncases; k++)

@@ -78,7 +78,8 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     put_span(&mean, "%5.3f", "", 14, out);
     thud_text_append(out, "  %5.3f on floor %-3d ", floor.most, floor.floor);
     put_span(&drift, "%5.3f", "", 14, out);
-    thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
+    thud_table_whole(out, place_of(plan, floor.at, at), 11);
+    thud_text_append(out, "\n");
 }
 
 static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
@@ -158,7 +159,8 @@ static void put_yielding(const struct thud_sweep_plan *plan, const struct thud_s
             thud_text_padded(out, columns ? "" : plan->scene.structure[s].name, width);
             put_span(&first, "%6.3f", "", 18, out);
             put_span(&second, "%6.3g", "     -", 18, out);
-            thud_text_append(out, " %s\n", place_of(plan, first.at, at));
+            thud_table_whole(out, place_of(plan, first.at, at), 11);
+            thud_text_append(out, "\n");
         }
 }
 
@@ -345,14 +347,19 @@ static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep
                      const struct thud_sweep_best *best, int width, int wide, struct thud_text *out)
 {
     const struct thud_sweep_axis *along = &plan->axis[axis];
-    char at[PLACE], flat[2 * THUD_NAME_MAX + 8];
-    snprintf(flat, sizeof flat, "%s to %s", along->text[best->flat_least], along->text[best->flat_most]);
+    char at[PLACE];
     const char *remark = best_remark(best);
-    thud_text_append(out, "  %-*s %-8s %-*s %-10s %6.3f %6.3f  %-20s %6.3f%s%s\n", width, best_record(table, best),
-                     thud_case_name(best->which), wide,
-                     thud_sweep_setting(plan, plan->naxes, best->at, axis, false, at, PLACE),
-                     best->idle ? "-" : along->text[best->at[axis]], best->ratio, best->drift_ratio,
-                     best->idle ? "-" : flat, best->worst_ratio, *remark ? "  " : "", remark);
+    thud_text_append(out, "  ");
+    thud_text_padded(out, best_record(table, best), width);
+    thud_text_append(out, " %-8s ", thud_case_name(best->which));
+    thud_text_padded(out, thud_sweep_setting(plan, plan->naxes, best->at, axis, false, at, PLACE), wide);
+    thud_text_append(out, " %-10s %6.3f %6.3f %6.3f\n", best->idle ? "-" : along->text[best->at[axis]], best->ratio,
+                     best->drift_ratio, best->worst_ratio);
+    if (!best->idle)
+        thud_text_append(out, "    flat from %s to %s%s%s\n", along->text[best->flat_least],
+                         along->text[best->flat_most], *remark ? ", " : "", remark);
+    else if (*remark)
+        thud_text_append(out, "    %s\n", remark);
 }
 
 /* Columns of best.csv between those of its own: the other keys, and three values of the varied one, as a number or a
@@ -422,22 +429,19 @@ enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, cons
                                         int axis, bool csv, struct thud_text *out, struct thud_error *err)
 {
     struct thud_sweep_best *best;
-    int width = 20, wide = 14;
-    char at[PLACE];
+    enum { width = 20, wide = 16 };
     long n = thud_sweep_best(table, axis, &best);
     if (n < 0)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     if (csv) {
         put_best_csv(plan, axis, NULL, out);
     } else {
-        thud_text_append(out, "\nbest %s (least of the larger mean acceleration ratio; flat: within %d %% of it)\n",
+        struct thud_text words = {0};
+        thud_text_append(&words, "best %s (least of the larger mean acceleration ratio; flat: within %d %% of it)",
                          plan->axis[axis].key, THUD_SWEEP_BEST_PER_CENT);
-        for (long i = 0; i < n; i++) {
-            width = thud_text_wider(width, best_record(table, &best[i]));
-            wide = thud_text_wider(wide, thud_sweep_setting(plan, plan->naxes, best[i].at, axis, false, at, PLACE));
-        }
-        thud_text_append(out, "  %-*s %-8s %-*s %-10s %6s %6s  %-20s %6s\n", width, "record", "case", wide, "at",
-                         "best", "ratio", "drift", "flat", "worst");
+        thud_table_words(out, "\n", &words, 2);
+        thud_text_append(out, "  %-*s %-8s %-*s %-10s %6s %6s %6s\n", width, "record", "case", wide, "at", "best",
+                         "ratio", "drift", "worst");
     }
     for (long i = 0; i < n; i++) {
         if (csv)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/version.h"
@@ -250,6 +251,8 @@ void thud_list_end(struct thud_list *list)
 
 /* ---- tables of a terminal ---- */
 
+enum { FIELDS_MAX = 64, NAME_MOST = THUD_LINE_WIDTH / 2 + 4 };
+
 static bool is_shown(const struct thud_column *field, unsigned marks)
 {
     return field->shown.how != THUD_DIGITS_NONE && has(field, marks | THUD_ONLY_TEXT);
@@ -372,29 +375,20 @@ static int width_of(const struct thud_rows *rows, const struct thud_column *fiel
     for (int i = 0; i < rows->n; i++) {
         rows->make(rows->of, i, row.bytes);
         struct value v = value_of(field, row.bytes);
-        width = v.text ? thud_text_wider(width - blank, v.text) + blank : width;
+        width = v.text && *v.text != '\n' ? thud_text_wider(width - blank, v.text) + blank : width;
     }
     return -width;
 }
 
-void thud_rows_table(const struct thud_rows *of, struct thud_text *out)
+/* Heading and rows of columns that are all shown. */
+static void put_table(const struct thud_rows *rows, struct thud_text *out)
 {
-    enum { FIELDS_MAX = 64 };
     int places[FIELDS_MAX];
     struct thud_row_room row;
-    struct thud_column column[FIELDS_MAX];
-    struct thud_schema schema = *of->schema;
-    struct thud_rows wide = *of, *rows = &wide;
     bool units = false;
-    memcpy(column, schema.column, (size_t)schema.n * sizeof *column);
-    schema.column = column;
-    for (int i = 0; i < schema.n; i++)
-        if (column[i].shown.width < 0 && is_shown(&column[i], of->marks))
-            column[i].shown.width = width_of(of, &column[i], i > 0);
-    wide.schema = &schema;
     for (int i = 0; i < rows->schema->n; i++) {
         const struct thud_column *field = &rows->schema->column[i];
-        units = units || (is_shown(field, rows->marks) && field->shown.unit);
+        units = units || field->shown.unit;
         places[i] = field->shown.how == THUD_DIGITS_PLACES ? places_of(rows, field) : 0;
     }
     put_heading(rows, false, out);
@@ -403,6 +397,60 @@ void thud_rows_table(const struct thud_rows *of, struct thud_text *out)
     for (int i = 0; i < rows->n; i++) {
         rows->make(rows->of, i, row.bytes);
         put_shown_row(rows, places, row.bytes, out);
+    }
+}
+
+/* The columns of a numeric field that its heading and values need behind so many blanks. */
+static int needed_by(const struct thud_rows *rows, const struct thud_column *field, int blank)
+{
+    const struct thud_shown *s = &field->shown;
+    const int places = s->how == THUD_DIGITS_PLACES ? places_of(rows, field) : 0;
+    size_t most = s->head ? strlen(s->head) : 0;
+    most = s->unit && strlen(s->unit) > most ? strlen(s->unit) : most;
+    for (int i = 0; i < rows->n; i++) {
+        struct thud_row_room row;
+        struct thud_text cell = {0};
+        rows->make(rows->of, i, row.bytes);
+        struct value v = value_of(field, row.bytes);
+        put_shown(field, places, &v, &cell);
+        const size_t before = cell.data ? strspn(cell.data, " ") : 0;
+        most = cell.size - before > most ? cell.size - before : most;
+        thud_text_clear(&cell);
+    }
+    return (int)most + blank < s->width ? (int)most + blank : s->width;
+}
+
+/* One that is wider than a line has its numbers closer together, and long names on lines of their own. What then has no
+ * room follows in a table of its own, behind the first column. */
+void thud_rows_table(const struct thud_rows *of, struct thud_text *out)
+{
+    struct thud_column column[FIELDS_MAX], part[FIELDS_MAX];
+    struct thud_schema schema = {of->schema->name, "", part, 0};
+    const struct thud_rows rows = {&schema, of->marks, of->n, of->make, of->of};
+    int n = 0, wide = 0;
+    for (int i = 0; i < of->schema->n; i++) {
+        if (!is_shown(&of->schema->column[i], of->marks))
+            continue;
+        column[n] = of->schema->column[i];
+        if (column[n].shown.width < 0)
+            column[n].shown.width = width_of(of, &column[n], n > 0);
+        wide += abs(column[n].shown.width ? column[n].shown.width : width_of(of, &column[n], 2));
+        n++;
+    }
+    for (int i = 0; i < n && wide > THUD_LINE_WIDTH; i++)
+        if (column[i].shown.width > 0)
+            column[i].shown.width = needed_by(of, &column[i], i > 0);
+        else if (column[i].shown.width < -NAME_MOST)
+            column[i].shown.width = -NAME_MOST;
+    for (int i = 0; i < n; thud_text_append(out, i < n ? "\n" : "")) {
+        wide = 0;
+        schema.n = 0;
+        if (i > 0)
+            wide = abs((part[schema.n++] = column[0]).shown.width);
+        do
+            wide += abs((part[schema.n++] = column[i++]).shown.width);
+        while (i < n && wide + abs(column[i].shown.width) <= THUD_LINE_WIDTH);
+        put_table(&rows, out);
     }
 }
 

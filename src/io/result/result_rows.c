@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "study/scene/level.h"
 #include "study/scene/solution.h"
@@ -389,14 +390,14 @@ struct thud_rows thud_impact_rows(const struct thud_report *report)
 struct event_row {
     struct thud_event_entry own;
     int interface, left_floor, right_floor, storey, link;
-    const char *structure, *where;
-    char text[80];
+    const char *structure, *where, *guard, *then;
+    char text[80], told[40], state[24];
 };
 #define EVENT(member, key, text) THUD_COLUMN(struct event_row, member, key, text)
 
 static const struct thud_column events[] = {
-    {EVENT(own.time_s, "time_s", "Time of the event, s."), .shown = {"time (s)", NULL, 1, 13, 9, THUD_DIGITS_FIXED}},
-    {EVENT(where, "", ""), .only = THUD_ONLY_TEXT, .shown = {" where", NULL, 0, -8, 0, THUD_DIGITS_WORD}},
+    {EVENT(own.time_s, "time_s", "Time of the event, s."), .shown = {"t (s)", NULL, 1, 10, 4, THUD_DIGITS_FIXED}},
+    {EVENT(where, "", ""), .only = THUD_ONLY_TEXT, .shown = {"where", NULL, 0, -8, 0, THUD_DIGITS_WORD}},
     {EVENT(interface, "interface", "Number of the interface, from the left."), .only = THUD_ROW_CONTACT},
     {EVENT(left_floor, "left_floor", "Floor on the left of the interface."), .only = THUD_ROW_CONTACT},
     {EVENT(right_floor, "right_floor", "Floor on the right of the interface."), .only = THUD_ROW_CONTACT},
@@ -408,17 +409,17 @@ static const struct thud_column events[] = {
            "Event: onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, "
            "yield, unload or collapse; thud-methods(7) gives the guard of each."),
      .shown = {"event", NULL, 0, -7, 0, THUD_DIGITS_WORD}},
-    {EVENT(own.guard, "guard", "Guard that passed 0, and its direction: d is the indentation or drift, F the force."),
-     .shown = {"guard", NULL, 0, -7, 0, THUD_DIGITS_WORD}},
+    {EVENT(guard, "", ""), .only = THUD_ONLY_TEXT, .shown = {"guard", NULL, 0, -7, 0, THUD_DIGITS_WORD}},
+    {EVENT(own.guard, "guard", "Guard that passed 0, and its direction: d is the indentation or drift, F the force.")},
     {EVENT(own.order, "order",
            "Number of the guard's lowest coefficients set to 0, because the previous event had just made them 0; "
-           "usually 0.")},
+           "usually 0. The text gives it where it is not 0.")},
     {EVENT(own.force_n, "force_n", "Force just after the event, N; for a storey its shear."),
-     .shown = {"force (kN)", NULL, 1e-3, 11, 1, THUD_DIGITS_FIXED}},
+     .shown = {"F (kN)", NULL, 1e-3, 10, 1, THUD_DIGITS_FIXED}},
+    {EVENT(then, "", ""), .only = THUD_ONLY_TEXT, .shown = {"then", NULL, 0, 0, 0, THUD_DIGITS_WORD}},
     {EVENT(own.then, "then",
            "State after the event: open, closed (approach or restitution), closed without force, sticking; for a "
-           "storey elastic, yields or collapsed."),
-     .shown = {"then", NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
+           "storey elastic, yields or collapsed.")}};
 const struct thud_schema thud_event_schema =
     THUD_SCHEMA("run --events",
                 "A row for each event, as text, with\n.Fl -csv\nas CSV, with\n.Fl -json\nas objects with these members "
@@ -449,7 +450,23 @@ static void name_storey(struct event_row *row, const struct thud_report *report,
     char level[24];
     row->structure = own->name;
     row->storey = thud_structure_storey(own, floor);
-    snprintf(row->text, sizeof row->text, " %.40s, %s", own->name, thud_structure_level_name(own, floor, true, level));
+    snprintf(row->text, sizeof row->text, "%.40s, %s", own->name, thud_structure_level_name(own, floor, true, level));
+}
+
+/* "d-d_p-d_y rises, order 1", "yields": without the blanks and the direction again, which CSV and JSON have and for
+ * which a line of a terminal has no room. */
+static void tell_event(struct event_row *row)
+{
+    size_t n = 0;
+    for (const char *c = row->own.guard; *c && n + 1 < sizeof row->told; c++)
+        if (*c != ' ' || (c[1] != '+' && c[1] != '-' && c[-1] != '+' && c[-1] != '-'))
+            row->told[n++] = *c;
+    if (row->own.order > 0)
+        thud_append(row->told, sizeof row->told, ", order %d", row->own.order);
+    snprintf(row->state, sizeof row->state, "%s", row->own.then);
+    char *again = strstr(row->state, ", d "), *without = strstr(row->state, " without force");
+    if (again || without)
+        snprintf(again ? again : without, 11, "%s", again ? "" : ", no force");
 }
 
 /* The links have the rows behind the contacts, and the storeys that yield those behind, in the order of the structures
@@ -459,14 +476,16 @@ static void make_event(const void *of, int i, void *out)
     const struct thud_report *report = of;
     const struct thud_result *r = report->result;
     struct event_row *row = out;
-    *row = (struct event_row){report->event[i], THUD_NO_COUNT, THUD_NO_COUNT,     THUD_NO_COUNT,
-                              THUD_NO_COUNT,    THUD_NO_COUNT, .where = row->text};
+    *row =
+        (struct event_row){report->event[i], THUD_NO_COUNT,      THUD_NO_COUNT,      THUD_NO_COUNT,     THUD_NO_COUNT,
+                           THUD_NO_COUNT,    .where = row->text, .guard = row->told, .then = row->state};
+    tell_event(row);
     int at = report->event[i].row;
     if (at < r->ncontacts) {
         row->interface = r->contact[at].interface;
         row->left_floor = r->contact[at].left_floor;
         row->right_floor = r->contact[at].right_floor;
-        snprintf(row->text, sizeof row->text, " %d: %d-%d", row->interface, row->left_floor, row->right_floor);
+        snprintf(row->text, sizeof row->text, "%d: %d-%d", row->interface, row->left_floor, row->right_floor);
         return;
     }
     if (r->collapse.happened && i + 1 == report->nevents) { /* which ends the run */
@@ -475,7 +494,7 @@ static void make_event(const void *of, int i, void *out)
     }
     if (link_of(r, at) >= 0) {
         row->link = link_of(r, at) + 1;
-        snprintf(row->text, sizeof row->text, " link %d", row->link);
+        snprintf(row->text, sizeof row->text, "link %d", row->link);
         return;
     }
     at -= r->ncontacts;

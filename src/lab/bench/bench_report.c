@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "app/run/result_table.h"
 #include "lab/bench/bench_jobs.h"
 
 static const char *state_word(const struct thud_bench_point *p)
@@ -107,24 +108,24 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
         char name[64];
         if (p->curve != curve) {
             thud_stepping_name(&p->how, name, sizeof name);
-            thud_text_append(out,
-                             "\n%s%s\n%9s  time ms  spread    error  accel.   drift    force    impact s  missed    "
-                             "steps    forces\n",
-                             name,
+            thud_text_append(out, "\n%s%s\n", name,
                              bench->model->nstoreys == 0 ? ""
                              : p->how.locate             ? ": impacts, yielding and unloading where they are"
-                                                         : ": impacts, yielding and unloading at ends of steps",
-                             p->how.method->flags & THUD_METHOD_FIXED_STEP ? "step s" : "tolerance");
+                                                         : ": impacts, yielding and unloading at ends of steps");
+            thud_text_append(out, "%5s      ms  spread   error  accel.   drift   force  impact miss  steps forces\n",
+                             p->how.method->flags & THUD_METHOD_FIXED_STEP ? "step" : "tol.");
             curve = p->curve;
         }
         if (p->state != THUD_BENCH_DONE) {
-            thud_text_append(out, "%9.0e  %s %s\n", p->how.setting, state_word(p), p->message);
+            struct thud_text words = {0};
+            thud_text_append(&words, "%6.0e  %s %s", p->how.setting, state_word(p), p->message);
+            thud_table_words(out, "", &words, 8);
             continue;
         }
         char spread[16] = "-"; /* of one timing */
         if (p->repeats > 1)
             snprintf(spread, sizeof spread, "%.2g", 1e3 * p->spread);
-        thud_text_append(out, "%9.0e %8.3g %7s  %7.1e %7.1e  %7.1e  %7.1e  %7.1e  %3d+%-3d %8ld %9ld\n", p->how.setting,
+        thud_text_append(out, "%5.0e %7.3g %7s %7.1e %7.1e %7.1e %7.1e %7.1e %2d+%-1d %6ld %6ld\n", p->how.setting,
                          1e3 * p->seconds, spread, p->error.all, p->error.acceleration, p->error.drift, p->error.force,
                          p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
                          p->work.force_evaluations);

@@ -11,9 +11,9 @@ static const char *const kinds[THUD_STABILITY_KINDS] = {"free vibration", "wall 
 static void add_number(struct thud_text *out, double value)
 {
     if (isfinite(value))
-        thud_text_append(out, " %9.4g", value);
+        thud_text_append(out, " %7.4g", value);
     else
-        thud_text_append(out, " %9s", isnan(value) ? "-" : "blown up");
+        thud_text_append(out, " %7s", isnan(value) ? "-" : "blown");
 }
 
 /* Begins a line with the method where it is another than that before (NULL: the first); whether it did. */
@@ -23,7 +23,7 @@ static bool new_line(const struct thud_stepping *how, const struct thud_stepping
     if (before && thud_stepping_same(how, before))
         return false;
     thud_stepping_name(how, name, sizeof name);
-    thud_text_append(out, "\n%-34s", name);
+    thud_text_append(out, "\n%-26s", name);
     return true;
 }
 
@@ -35,24 +35,27 @@ static void add_verdicts(const struct thud_stability *s, int kind, struct thud_t
         "(+ from 1.21, X from 1e4 times the energy of the start, within 50 s, at the worst of several starts)",
         "(+ from 2, X from 100 times the exact peak displacement, at the worst of three steps up to 6 % shorter)"};
     const struct thud_stability_cell *c = s->cell;
-    thud_text_append(out, "\n%s: . bounded, + growing, X blown up; limit: omega dt of a linear system\n%s\n%-34s %6s ",
-                     kinds[kind], meant[kind], "omega dt", "limit");
+    struct thud_text words = {0};
+    thud_text_append(&words, "%s: . bounded, + growing, X blown up; limit: omega dt of a linear system %s", kinds[kind],
+                     meant[kind]);
+    thud_table_words(out, "\n", &words, 2);
+    thud_text_append(out, "%-26s %5s ", "omega dt", "limit");
     for (int i = 0, shown = 0; i < s->ncells && !(shown && !thud_stepping_same(&c[i].how, &c[i - 1].how)); i++)
         if (!isnan(c[i].omega_dt)) {
-            thud_text_append(out, " %5.4g", c[i].omega_dt);
+            thud_text_append(out, "%4.3g", c[i].omega_dt);
             shown = 1;
         }
     for (int i = 0; i < s->ncells; i++) {
         if (new_line(&c[i].how, i ? &c[i - 1].how : NULL, out)) {
             if (isfinite(c[i].how.method->stability))
-                thud_text_append(out, " %6.4g ", c[i].how.method->stability);
+                thud_text_append(out, " %5.4g ", c[i].how.method->stability);
             else
-                thud_text_append(out, " %6s ", "none");
+                thud_text_append(out, " %5s ", "none");
         }
         if (isnan(c[i].omega_dt))
             thud_text_append(out, " %s (steps of its own)", thud_stability_verdict_word(c[i].verdict[kind]));
         else
-            thud_text_append(out, " %5c", signs[c[i].verdict[kind]]);
+            thud_text_append(out, "%4c", signs[c[i].verdict[kind]]);
     }
     thud_text_append(out, "\n");
 }
@@ -64,7 +67,7 @@ static void add_share(double value, struct thud_text *out)
         snprintf(text, sizeof text, "-");
     else if (isfinite(value))
         snprintf(text, sizeof text, value >= 0.1 && value < 1000 ? "%.3g" : "%.0e", value);
-    thud_text_append(out, " %7s", text);
+    thud_text_append(out, " %5s", text);
 }
 
 /* A column for each of these steps; methods that take none have one number. */
@@ -73,11 +76,11 @@ static void add_energies(const struct thud_stability *s, struct thud_text *out)
     static const double shown[] = {0.12, 0.5, 1, 1.9, 2.7, 2.9, 3.6, 5};
     enum { SHOWN = sizeof shown / sizeof *shown };
     thud_text_append(out,
-                     "\nlargest energy on the wall spring within 50 s over that at the start, by omega dt; of %d starts"
-                     " the\nworst (X blown up)\n%-26s",
+                     "\nlargest energy on the wall spring within 50 s over that at the start, by omega\n"
+                     "  dt; of %d starts the worst (X blown up)\n%-26s",
                      THUD_STABILITY_STARTS, "");
     for (int k = 0; k < SHOWN; k++)
-        thud_text_append(out, " %7.4g", shown[k]);
+        thud_text_append(out, " %5.4g", shown[k]);
     for (int i = 0; i < s->ncells; i++) {
         const struct thud_stability_cell *c = &s->cell[i];
         char name[64];
@@ -107,18 +110,18 @@ static void add_restitutions(const struct thud_stability *s, struct thud_text *o
     static const char *const shown[] = {"exact", "newmark", "central-difference", "rk4", "lagged"};
     enum { SHOWN = sizeof shown / sizeof *shown };
     const struct thud_stability_restitution *r = s->restitution;
-    thud_text_append(out, "\nrestitution of two free bodies, steps of 1 ms, not located\n%-23s %7s %5s %9s", "law",
-                     "nominal", "m/s", "the law's");
+    thud_text_append(out, "\nrestitution of two free bodies, steps of 1 ms, not located\n%-23s %4s %4s %6s", "law", "e",
+                     "m/s", "law's");
     for (int k = 0; k < SHOWN; k++)
-        thud_text_append(out, " %9.9s", shown[k]);
+        thud_text_append(out, " %7.7s", shown[k]);
     for (int i = 0; i < s->nrestitutions; i++) {
         if (i == 0 || !same_impact(&r[i], &r[i - 1])) {
             thud_text_append(out, "\n%-23s ", r[i].law->name);
             if (isnan(r[i].nominal))
-                thud_text_append(out, "%7s", "-");
+                thud_text_append(out, "%4s", "-");
             else
-                thud_text_append(out, "%7.3g", r[i].nominal);
-            thud_text_append(out, " %5.3g %9.4f", r[i].approach_mps, r[i].expected);
+                thud_text_append(out, "%4.3g", r[i].nominal);
+            thud_text_append(out, " %4.3g %6.4f", r[i].approach_mps, r[i].expected);
         }
         for (int k = 0; k < SHOWN; k++)
             if (strcmp(r[i].how.method->name, shown[k]) == 0 &&
@@ -130,18 +133,20 @@ static void add_restitutions(const struct thud_stability *s, struct thud_text *o
 
 static void add_test_cases(const struct thud_stability *s, struct thud_text *out)
 {
+    struct thud_text lines = {0};
     thud_text_append(out, "\nwhere a naive method goes wrong\n");
     for (int i = 0; i < s->ntest_cases; i++) {
         const struct thud_test_case *e = &s->test_case[i];
         if (!e->name)
             continue;
-        thud_text_append(out, "%s: %s\n    %s: exact %.6g, ", e->name, e->scene, e->quantity, e->exact);
+        thud_text_append(&lines, "%s: %s\n    %s: exact %.6g, ", e->name, e->scene, e->quantity, e->exact);
         if (isfinite(e->naive))
-            thud_text_append(out, "naive %.6g", e->naive);
+            thud_text_append(&lines, "naive %.6g", e->naive);
         else
-            thud_text_append(out, "naive blows up");
-        thud_text_append(out, " (%s), computed %.6g\n", e->method, e->computed);
+            thud_text_append(&lines, "naive blows up");
+        thud_text_append(&lines, " (%s), computed %.6g\n", e->method, e->computed);
     }
+    thud_table_lines(out, &lines, 2);
 }
 
 static void add_step(const struct thud_stability_summary *m, const char *level, double setting, struct thud_text *out)
