@@ -34,6 +34,11 @@ for line in 'set gap 0' 'records ,,' 'show /dev/full' 'write /dev/full/a.yaml' '
     is "has its place" says '^refused:1: '
 done
 
+# a link that is added may have any law, and keeps what the next one has too
+printf 'link add 1\nset links.1.law spring\nset links.1.law friction\nset links.1.slip 300 kN\nset links.1.law strut\nundo\nwrite links.yaml\n' >links
+is "a link becomes one of another law" gives 0 towers --play links
+is "with usual values" [ "$(sed -n '/^links:/,$s/^ *- *//p; /^links:/,$s/^    *\([a-z]*: .*\)/\1/p' links.yaml | grep -c '^law: friction\|^stiffness: 500 MN/m\|^slip: 300 kN')" -eq 3 ]
+
 printf 'set gap 0.3 ft\nundo\nset contact.stiffness 1.7 kip/in\n' >feet
 is "values in other units" gives 0 towers --play feet
 is "come back as the decimals that they are" shows '^Undone: gap 10 cm -> 9.144 cm$'

@@ -310,9 +310,11 @@ struct thud_usual {
 };
 void thud_usual_bearings(enum thud_isolator_law law, double all_kg, struct thud_usual out[THUD_USUAL_BEARINGS]);
 /* Sets what belongs together with a value of a structure, before that value is set: the first value of a foundation, of
- * a flexible wall or of the soil behind it, and another law of isolators, bring usual values for the rest; without its
- * mass a foundation or a flexible wall has none of them. */
+ * a flexible wall or of the soil behind it, and another law of isolators or of a link, bring usual values for the rest;
+ * without its mass a foundation or a flexible wall has none of them. */
 void thud_usual_set(struct thud_scene *scene, const char *key, const char *text);
+/* Gives a link what its law needs and it has not. */
+void thud_usual_link(struct thud_link *link);
 /* Returns the weight (N) above storey i (from 0) of a building. */
 double thud_structure_weight(const struct thud_structure *structure, int i);
 /* Drift over height at which a storey has collapsed with P-Delta. */

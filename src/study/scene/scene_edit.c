@@ -178,7 +178,7 @@ static bool add_link(struct thud_scene *scene, int number, int unused, char *wha
     const int a = thud_structure_floors(left), b = thud_structure_floors(right);
     struct thud_link *link = &scene->link[scene->nlinks++];
     thud_link_init(link, THUD_LINK_DASHPOT);
-    link->damping_nspm = 1e6;
+    thud_usual_link(link);
     name_end(left, b > 1 && b < a ? b : a, link->from);
     name_end(right, a > 1 && a < b ? a : b, link->to);
     snprintf(what, size, "a dashpot ties %s and %s", link->from, link->to);

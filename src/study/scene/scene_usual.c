@@ -102,9 +102,21 @@ static void set_isolators(struct thud_scene *scene, int s, const char *text)
         }
 }
 
+void thud_usual_link(struct thud_link *link)
+{
+    link->stiffness_npm = isnan(link->stiffness_npm) ? 5e8 : link->stiffness_npm;
+    link->damping_nspm = isnan(link->damping_nspm) ? 1e6 : link->damping_nspm;
+    link->slip_n = isnan(link->slip_n) ? 5e5 : link->slip_n;
+}
+
 void thud_usual_set(struct thud_scene *scene, const char *key, const char *text)
 {
-    int s = 0;
+    const char *law = key;
+    int s = 0, i = 0;
+    if (thud_scan_word(&law, "links.") && thud_scan_count(&law, &i) && strcmp(law, ".law") == 0 && i > 0 &&
+        i <= scene->nlinks && *text &&
+        thud_scene_set(scene, key, text, NULL) == THUD_OK) /* the law's own values are there only with it */
+        thud_usual_link(&scene->link[i - 1]);
     if (!thud_scan_word(&key, "structures.") || !thud_scan_count(&key, &s) || s < 1 || s > scene->nstructures ||
         !thud_scan_word(&key, "."))
         return;
