@@ -12,15 +12,14 @@ enum thud_status thud_fragility_options_read(const struct thud_args *args, const
 {
     const char *event, *hazard = thud_args_value(args, "hazard");
     int seed = 1;
-    enum thud_status status = THUD_OK;
+    struct thud_text events = {0};
     *out = (struct thud_fragility_study){0};
-    for (int i = 0; status == THUD_OK && (event = thud_args_repeated(args, "event", i)) != NULL; i++) {
-        if (out->nevents == THUD_EVENTS_MAX)
-            return thud_error_set(err, THUD_USAGE, "more than %d events", THUD_EVENTS_MAX);
-        status = thud_event_parse(event, &out->event[out->nevents++], err);
-    }
-    if (!thud_args_has(args, "event"))
-        status = thud_events_parse(plan->scene.study.events, out->event, &out->nevents, err);
+    for (int i = 0; (event = thud_args_repeated(args, "event", i)) != NULL; i++)
+        thud_text_append(&events, "%s%s", i > 0 ? "," : "", event);
+    enum thud_status status = events.failed ? thud_error_set(err, THUD_MEMORY, "out of memory")
+                                            : thud_events_parse(events.data ? events.data : plan->scene.study.events,
+                                                                out->event, &out->nevents, err);
+    thud_text_clear(&events);
     if (status == THUD_OK)
         status = thud_fragility_check(out, plan, err);
     if (status == THUD_OK)

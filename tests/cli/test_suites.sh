@@ -377,6 +377,9 @@ is "a force of 0 over 0 is equal" shows '^largest force  *-  *1.000  0  3  0$'
 is "where there is no bumper, none is left out" sh -c "\"\$THUD\" gap isolated-moat --quiet | grep -q '^Pounds in, MN: motions with contact at that gap, largest force; the other$'"
 is "in a row, the gaps by rule" gives 0 gap three-in-a-row --quiet
 is "are those of all its interfaces" in_lines ' largest force; the other interfaces have the gaps of the same rule.'
+"$THUD" fragility towers --records "$three" --vary gap=6cm,18cm --cases none --event pounding --event force:8MN --csv --quiet >"$tmp/each" 2>/dev/null
+is "several events in one list, as study.events has them" gives 0 fragility towers --records "$three" --vary gap=6cm,18cm --cases none --event pounding,force:8MN --csv --quiet
+is "are those given one by one" sh -c "[ -s '$tmp/each' ] && cmp -s '$tmp/each' '$tmp/out'"
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a range as one intensity" gives 2 fragility towers --sa 0.2g:1g:0.2g
 is "with the option for it" says '^thud: --sa: .*(one value; a range: --vary record.sa=0.2g:1g:0.2g)$'
