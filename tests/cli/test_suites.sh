@@ -412,6 +412,8 @@ is "refused: a hazard curve that rises" gives 3 fragility towers --records "$thr
 is "by its line" says "hazard.csv:2: "
 
 # how sure
+is "three buildings" gives 0 uncertainty three-in-a-row --to 12s --samples 1 --quiet -o "$tmp/rowed"
+is "have two panels each in the tornado" [ "$(sed 1d "$tmp/rowed/tornado.csv" | cut -d, -f1 | sort -u | tr '\n' ';')" = "A: acceleration;A: drift;B: acceleration;B: drift;C: acceleration;C: drift;" ]
 is "thud uncertainty: table, files and figures" gives 0 uncertainty towers --set gap=12cm --samples 12 --indices -j 2 -o "$tmp/sure" --quiet
 is "a sentence with shares" shows "^The bumper lowers the mean acceleration of A in [0-9]* % of 24 samples"
 for figure in tornado sampled-ratios; do is "$figure is a picture" is_png "$tmp/sure/$figure.png"; done

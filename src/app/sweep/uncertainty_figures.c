@@ -85,12 +85,12 @@ static const char *ratio_label(const struct thud_uncertainty *u, char text[64])
 
 static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
 {
-    enum { COLUMNS_MAX = 4 };
+    enum { PANELS = 12 }; /* acceleration and drift of six structures */
     const struct thud_uncertainty *u = study->uncertainty;
-    int drawn[COLUMNS_MAX], n = 0;
+    int drawn[PANELS], n = 0;
     char ratio[64];
     ratio_label(u, ratio);
-    for (int q = 0; q < u->nquantities && n < COLUMNS_MAX; q++)
+    for (int q = 0; q < u->nquantities && n < PANELS; q++)
         if (is_drawn(u, q))
             drawn[n++] = q;
     int columns = n > 1 ? 2 : 1;
