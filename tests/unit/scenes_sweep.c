@@ -65,8 +65,9 @@ static double number_of(const char *word, size_t length)
 
 static bool is_same_word(const char *a, size_t n, const char *b, size_t m)
 {
+    static const double still = 1e-20; /* what rounding leaves of a motion, or of a force, that is none */
     double x = number_of(a, n), y = number_of(b, m);
-    return (n == m && memcmp(a, b, n) == 0) || fabs(x - y) <= 1e-9 * (fabs(x) + fabs(y));
+    return (n == m && memcmp(a, b, n) == 0) || fabs(x - y) <= still + 1e-9 * (fabs(x) + fabs(y));
 }
 
 /* Whether the same words and, but for rounding, the same numbers; what ends a line is its checksum. */
