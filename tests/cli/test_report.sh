@@ -244,7 +244,7 @@ is "is refused with those there are" says 'document.code: "nzs" is not a code fo
 { cat "$tmp/bare.yaml" && printf 'links:\n  - law: dashpot\n    from: Nr <12>.5\n    to: Nr 14.5\n    damping: 3 MN s/m\n'; } >"$tmp/linked.yaml"
 is "a report where a damper is what helps" report 0 "$tmp/linked.yaml" --records "$three" --factor 1 --samples 0 --no-pdf
 "$THUD" sweep "$tmp/linked.yaml" --records "$three" --factor 1 --cases none,link >"$tmp/out" 2>"$tmp/err"
-helped=$(sed -n 's/^  mean drift of Nr 14: damper, geometric median ratio \([0-9.]*\), lower under \([0-9]\) of 3 motions$/\1 \2/p' "$tmp/out")
+helped=$(tr -s '\n ' '  ' <"$tmp/out" | sed -n 's/.* mean drift of Nr 14: damper, geometric median ratio \([0-9.]*\), lower under \([0-9]\) of 3 motions .*/\1 \2/p')
 is "has the sweep's median and count" in_text "| links: mean drift of Nr 14 | ${helped#* } | [0-9] | [^|]* | $(echo "$helped" | awk '{ printf $1 < 1 ? "%.3f" : "%.2f", $1 }') | "
 is "says which cases its verdicts are of" in_text "| pounding without the links | .*| pounding with the links | .*| effect of the links | .* they lower "
 is "what is raised under none of the motions has no empty figure" [ ! -e "$tmp/r/fragility-worse.svg" ]

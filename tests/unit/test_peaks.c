@@ -100,11 +100,12 @@ static enum thud_status sample_block(void *own, const struct thud_state *state, 
 
 static const struct thud_observer sampling = {.segment = sample_segment, .block = sample_block};
 
-/* Whether peak and samples are the same but for what lies between two samples. */
-static void check(const char *what, int place, double peak, double most, double scale)
+/* Whether peak and samples are the same but for what lies between two samples, and for the terms that a series leaves out:
+ * they are read as derivatives of it, and by the equations of motion. */
+static void check(const char *what, int place, double peak, double most, double scale, double tolerance)
 {
-    ck_assert_msg(peak >= most - 1e-11 * scale, "%s %d: a sample %.3e of the scale above the peak", what, place,
-                  (most - peak) / scale);
+    ck_assert_msg(peak >= most - (1e-11 + 1e-4 * tolerance) * scale, "%s %d: a sample %.3e of the scale above the peak",
+                  what, place, (most - peak) / scale);
     ck_assert_msg(peak <= most + 2e-3 * scale, "%s %d: the peak %.3e of the scale above the samples", what, place,
                   (peak - most) / scale);
 }
@@ -117,7 +118,7 @@ static double largest(const double *x, int n)
     return most;
 }
 
-static void compare(const struct sampled *x, struct thud_run *run)
+static void compare(const struct sampled *x, struct thud_run *run, double tolerance)
 {
     static const char *const name[] = {"displacement", "velocity", "acceleration", "drift"};
     const struct thud_model *m = x->model;
@@ -126,13 +127,13 @@ static void compare(const struct sampled *x, struct thud_run *run)
         for (int i = 0; i < m->ndof; i++) {
             const int s = m->dof_structure[i];
             check(name[quantity], i, thud_floor_peak(&run->result, s, i - m->structure[s].first, quantity)->value,
-                  most[i], largest(most, m->ndof));
+                  most[i], largest(most, m->ndof), tolerance);
         }
     }
     for (int c = 0; c < m->ncontacts; c++) {
-        check("force", c, run->result.contact[c].force.value, x->force[c], largest(x->force, m->ncontacts));
-        check("indentation", c, run->result.contact[c].indentation.value, x->indentation[c],
-              largest(x->floor, m->ndof)); /* that of displacements: it is read from their difference */
+        check("force", c, run->result.contact[c].force.value, x->force[c], largest(x->force, m->ncontacts), tolerance);
+        check("indentation", c, run->result.contact[c].indentation.value, x->indentation[c], largest(x->floor, m->ndof),
+              tolerance); /* that of displacements: it is read from their difference */
     }
 }
 
@@ -160,7 +161,7 @@ static int run_and_compare(const struct thud_model *model, const struct thud_rec
     thud_run_observe(run, &sampling, &x);
     while (!done)
         ck_assert_int_eq(thud_run_advance(run, 1000, &done, NULL), THUD_OK);
-    compare(&x, run);
+    compare(&x, run, tolerance);
     for (int c = 0; c < model->ncontacts; c++)
         impacts += run->result.contact[c].impacts;
     free(block);

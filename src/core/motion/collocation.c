@@ -31,8 +31,8 @@ enum { PATIENCE = 16 };                        /* steps of one size before a lon
 enum { REPEATS = 2 };                          /* shorter steps with no smaller error: it is rounding */
 static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
 static const double stiff = 1;                 /* change of a force by the motion it makes in a step, over itself */
-static const double least_of_three = 3e-3,
-                    least_of_four = 3e-4; /* tolerance at or above which so many nodes are enough */
+static const double least_of_three = 3e-3;     /* tolerance at or above which so many nodes are enough, and */
+static const double least_of_four = 3e-4;
 static const double step_part = 0.3;      /* of the run's tolerance, for the error of a step */
 static const double solution_part = 0.01; /* of that, for the solution of the equations */
 static const double series_part = 1e-4;   /* of the run's tolerance, for terms left out of a series */
@@ -88,10 +88,10 @@ struct thud_collocation {
         bool sticks;
         double force, by_d, by_v; /* the law at the start */
         bool rough;               /* what follows does not go on smoothly from there */
-        double scale,
-            per_scale; /* on which an error of its force counts, but for the forces of the step; 1 over all of it */
-    } * begins;        /* (nactive) */
-    double *residual, *matrix; /* (unknowns); square */
+        double scale;             /* on which an error of its force counts, but for the forces of the step */
+        double per_scale;         /* 1 over all of it */
+    } * begins;                   /* (nactive) */
+    double *residual, *matrix;    /* (unknowns); square */
     lapack_int *pivot;
 };
 
@@ -583,7 +583,7 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
             seg->force[k * x->nc + x->active[a]] = x->step.coefficient[x->active[a] * ROW + k];
     thud_taylor_given(state->model, seg, state->q, state->qd);
     if (state->model->couples)
-        thud_segment_trim(seg, state->model, least);
+        thud_segment_trim(seg, state->model, 0.1 * least);
     x->by->nodes.motion = x->motion;
     x->by->nodes.force = x->force;
     seg->nodes = &x->by->nodes;
