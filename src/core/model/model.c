@@ -835,8 +835,8 @@ void thud_model_sides(const struct thud_model *model, int c, const double *modal
     *right = thud_dot(p->right.modes, p->right.row, modal + p->right.first_mode);
 }
 
-/* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */
-/* Of so many rows of modal values that stand `apart`, at most two, out (count). */
+/* Relative motion of contact c by so many rows of modal values that stand `apart`, at most two, out (count). The sums of
+ * its sides are made apart, so that neighbours moving alike have exactly none. */
 static inline void gap_sums(const struct thud_model *model, int c, const double *modal, int apart, const int count,
                             double *out)
 {
