@@ -356,7 +356,7 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
 static bool parts_quietly(const struct view *v, double s)
 {
     enum { PLACES = 4 };
-    static const double part = 0.3; /* of the tolerance, as for the error of a step */
+    static const double part = 0.3; /* of the tolerance, as a step's error at most */
     const struct thud_contact_state *contact = &v->state->contact[v->c];
     const struct thud_branch *b = &contact->branch;
     const bool ends =

@@ -33,7 +33,8 @@ static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; sl
 static const double stiff = 1;                 /* change of a force by the motion it makes in a step, over itself */
 static const double least_of_three = 3e-3;     /* tolerance at or above which so many nodes are enough, and */
 static const double least_of_four = 3e-4;
-static const double step_part = 0.3;      /* of the run's tolerance, for the error of a step */
+/* Of the run's tolerance, for the error of a step: below least_of_four, and from there on. */
+static const double step_part[] = {0.1, 0.3};
 static const double solution_part = 0.01; /* of that, for the solution of the equations */
 static const double series_part = 1e-4;   /* of the run's tolerance, for terms left out of a series */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
@@ -106,7 +107,7 @@ static bool is_approach(const struct thud_contact_state *contact)
 /* Of the force scale, for the error of a step. */
 static double step_tolerance(const struct thud_state *state)
 {
-    return thud_larger(step_part * state->tolerance, THUD_TOL_COLLOCATION);
+    return thud_larger(step_part[state->tolerance >= least_of_four] * state->tolerance, THUD_TOL_COLLOCATION);
 }
 
 /* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
