@@ -205,7 +205,7 @@ static double missed_force(const struct thud_collocation *x, int a, thud_vec2 mo
 
 /* Error of contact a's force: the largest difference between its polynomial and the law between the nodes, over the
  * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
- * what counts is the impulse that the difference makes up. Where the first is next to nothing, so are the others. */
+ * what counts is the impulse that the difference makes up. Where the first is small, so are the others. */
 static inline double contact_error(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
                                    double tolerance, const int n)
 {
