@@ -29,7 +29,7 @@
 enum { LEVELS = 48 };
 
 struct level {
-    int terms; /* of a series */
+    int terms; /* of a series; 0: not yet known */
     struct load {
         double *series;   /* (terms x nmodes) of x_0; NULL: not yet made */
         thud_vec2 *start; /* (2 x nmodes x points) x_0 and x_1 with their rates */
@@ -124,38 +124,25 @@ static struct load *load_of(const struct thud_responses *x, const struct level *
     return &level->load[x->model->couples ? c : 0];
 }
 
-/* Sums over the modes of a row's structures, by these weights, of modes at the points (nmodes x points): to what out
- * (points) holds. */
+/* Sums over the modes of a row's structures, by these weights, of modes at the points (nmodes x points), which are 0 at the
+ * first: to what out (points) holds. */
 static inline void sum_at(const struct thud_model *m, int row, const double *weight, const thud_vec2 *modes,
                           thud_vec2 *out, const int points)
 {
     thud_vec2 sum[THUD_POINTS_MAX];
     int structure[2], structures = thud_model_row_structures(m, row, structure);
-    for (int i = 0; i < points; i++)
+    for (int i = 1; i < points; i++)
         sum[i] = out[i];
     for (int k = 0; k < structures; k++) {
         const struct thud_model_structure *s = &m->structure[structure[k]];
         const int end = s->first_mode + s->modes;
         const thud_vec2 *mode = modes + s->first_mode * points;
         for (int j = s->first_mode; j < end; j++, mode += points)
-            for (int i = 0; i < points; i++)
+            for (int i = 1; i < points; i++)
                 sum[i] += weight[j] * mode[i];
     }
-    for (int i = 0; i < points; i++)
+    for (int i = 1; i < points; i++)
         out[i] = sum[i];
-}
-
-static void sum_modes(const struct thud_responses *x, int row, const double *weight, const thud_vec2 *modes,
-                      thud_vec2 *out)
-{
-    if (x->points == 4) /* so that compilers keep the sums in registers */
-        sum_at(x->model, row, weight, modes, out, 4);
-    else if (x->points == 6)
-        sum_at(x->model, row, weight, modes, out, 6);
-    else if (x->points == 7)
-        sum_at(x->model, row, weight, modes, out, 7);
-    else
-        sum_at(x->model, row, weight, modes, out, THUD_POINTS_MAX);
 }
 
 /* R_ab and R'_ab: motion of gap a under the loads s^p on row b, put together to the Lagrange polynomial of each node. */
@@ -195,7 +182,8 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
     const double h = ldexp(x->h_top, -at);
     bool made = level->pair || THUD_LAY_IN(x->memory, NULL, THUD_PIECE(level->pair, rows * rows),
                                            THUD_PIECE(level->load, rows)) == THUD_OK;
-    level->terms = thud_segment_terms(m->fastest_radps * h, THUD_TOL_SERIES, THUD_SEGMENT_TERMS_LEAST);
+    if (level->terms == 0)
+        level->terms = thud_segment_terms(m->fastest_radps * h, THUD_TOL_SERIES, THUD_SEGMENT_TERMS_LEAST);
     for (int b = 0; b < n && made; b++) {
         struct load *load = load_of(x, level, contact[b]);
         made = load->series ||
@@ -230,34 +218,46 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
     }
 }
 
-/* r0 x_0 + rise x_1 of all modes, which no damping couples, into x->unforced. */
-static void move_modes(struct thud_responses *x, const struct level *level)
+/* r0 x_0 + rise x_1 of all modes, which no damping couples, into x->unforced; at the first point it is 0. */
+static inline void move_modes(struct thud_responses *x, const struct level *level, const int points)
 {
-    const int points = x->points, n = x->model->nmodes;
+    const int n = x->model->nmodes;
     const thud_vec2 *table = level->load->start, *rising = table + n * points;
     thud_vec2 *restrict out = x->unforced;
-    for (int j = 0; j < n; j++) {
-        const double start = x->at_start[j], rise = x->rise[j];
+    for (int j = 0; j < n; j++, out += points, table += points, rising += points)
+        for (int i = 1; i < points; i++)
+            out[i] = x->at_start[j] * table[i] + x->rise[j] * rising[i];
+}
+
+/* Of so many points: a constant, so that compilers keep the sums in registers. */
+static inline void unforced_at(struct thud_responses *x, int at, double h, const int *contact, int n,
+                               const thud_vec2 *start, thud_vec2 *out, const int points)
+{
+    const struct thud_model *m = x->model;
+    if (!m->couples)
+        move_modes(x, &x->level[at], points);
+    for (int a = 0; a < n; a++, start += points, out += points) {
+        const thud_vec2 *table = load_of(x, &x->level[at], contact[a])->start;
         for (int i = 0; i < points; i++)
-            *out++ = start * *table++ + rise * *rising++;
+            out[i] = thud_vec2_set(start[0][0] + start[0][1] * h * x->point[i], start[0][1]);
+        if (m->couples)
+            sum_at(m, contact[a], x->rise, table + m->nmodes * points, out, points);
+        sum_at(m, contact[a], m->couples ? x->at_start : m->jacobian + contact[a] * m->nmodes,
+               m->couples ? table : x->unforced, out, points);
     }
 }
 
 void thud_responses_unforced(struct thud_responses *x, const struct thud_state *state, int at, const int *contact,
                              int n, const thud_vec2 *start, thud_vec2 *out)
 {
-    const struct thud_model *m = x->model;
     const double h = ldexp(x->h_top, -at);
     find_loads(x, state, h);
-    if (!m->couples)
-        move_modes(x, &x->level[at]);
-    for (int a = 0; a < n; a++, start += x->points, out += x->points) {
-        const thud_vec2 *table = load_of(x, &x->level[at], contact[a])->start;
-        for (int i = 0; i < x->points; i++)
-            out[i] = thud_vec2_set(start[0][0] + start[0][1] * h * x->point[i], start[0][1]);
-        if (m->couples)
-            sum_modes(x, contact[a], x->rise, table + m->nmodes * x->points, out);
-        sum_modes(x, contact[a], m->couples ? x->at_start : m->jacobian + contact[a] * m->nmodes,
-                  m->couples ? table : x->unforced, out);
-    }
+    if (x->points == 4)
+        unforced_at(x, at, h, contact, n, start, out, 4);
+    else if (x->points == 6)
+        unforced_at(x, at, h, contact, n, start, out, 6);
+    else if (x->points == 7)
+        unforced_at(x, at, h, contact, n, start, out, 7);
+    else
+        unforced_at(x, at, h, contact, n, start, out, THUD_POINTS_MAX);
 }
