@@ -278,25 +278,44 @@ START_TEST(grazing_shorter_than_a_step)
 }
 END_TEST
 
-/* Steps that end with a separation. */
-static int steps_to_separations(const struct thud_model *model, const struct thud_record *record, double tolerance)
+/* At the end of a collocated step the contacts are as fast as at its last node. */
+static void check_end_rates(const struct thud_run *run)
+{
+    const struct thud_segment *seg = &run->seg;
+    for (int c = 0; c < run->state.model->ncontacts && seg->nodes; c++) {
+        const int at = seg->nodes->at[c];
+        if (at < 0 || fabs(thud_run_time(run) - seg->start_s - seg->h_s) > 1e-9 * seg->h_s)
+            continue;
+        const double rate = seg->nodes->motion[at * seg->nodes->points + seg->nodes->count - 1][1];
+        ck_assert_double_eq_tol(thud_contact_rate(&run->state, c), rate,
+                                1e-4 * run->state.tolerance * run->state.speed_mps);
+    }
+}
+
+/* Steps that end with an event of this word; *all: such events, which stand in the order of time. */
+static int steps_to(const char *word, const struct thud_model *model, const struct thud_record *record,
+                    double tolerance, int *all)
 {
     struct thud_run_options options;
     struct thud_run *run = NULL;
     bool done = false;
     int ends = 0, events = 0;
+    *all = 0;
     thud_run_options_init(&options);
     options.tolerance = tolerance;
     options.keep_events = true;
     ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
     while (!done) {
         ck_assert_int_eq(thud_run_advance(run, 1, &done, NULL), THUD_OK);
+        check_end_rates(run);
         int before = events;
         const struct thud_event_entry *event = thud_run_events(run, &events);
-        for (int i = before; i < events; i++)
-            ends += strcmp(event[i].event, "separation") == 0 && event[i].time_s == thud_run_time(run);
+        for (int i = before; i < events; i++) {
+            ck_assert(i == 0 || event[i].time_s >= event[i - 1].time_s);
+            *all += strcmp(event[i].event, word) == 0;
+            ends += strcmp(event[i].event, word) == 0 && event[i].time_s == thud_run_time(run);
+        }
     }
-    ck_assert_int_gt(events, 0);
     thud_run_free(run);
     return ends;
 }
@@ -344,11 +363,76 @@ START_TEST(parting_inside_a_step)
             ck_assert_double_eq_tol(fabs(march_velocity(&m, i)) / v[i], 1, tolerance);
         }
         ck_assert_int_eq(m.run->work.events, _i ? 4 : 6); /* rubber turns */
-        ck_assert_int_eq(steps_to_separations(model, still, tolerance), 0);
+        int all;
+        ck_assert_int_eq(steps_to("separation", model, still, tolerance, &all), 0);
+        ck_assert_int_eq(all, 2);
         march_free(&m);
         thud_model_free(model);
     }
     thud_record_free(still);
+}
+END_TEST
+
+/* A wall between two masses on springs of periods that have nothing to do with each other; `sides` 1, 2: only that mass can
+ * strike it, 3: both can. */
+static struct thud_model *wall_between(const struct march_law *law, int sides)
+{
+    static const double mass_kg[] = {160e3, 320e3}, omega[] = {25, 19};
+    double stiffness_npm[2];
+    struct thud_structure_input s[3] = {{0}};
+    struct thud_contact_input c[2];
+    int n = 0;
+    for (int i = 0; i < 2; i++) {
+        stiffness_npm[i] = mass_kg[i] * omega[i] * omega[i];
+        s[2 * i] = (struct thud_structure_input){
+            .n = 1, .mass_kg = &mass_kg[i], .stiffness_npm = &stiffness_npm[i], .damping = 0.02};
+        if (sides & 1 << i)
+            c[n++] = (struct thud_contact_input){.interface = i + 1,
+                                                 .left_floor = 1 - i,
+                                                 .right_floor = i,
+                                                 .left_structure = i,
+                                                 .right_structure = i + 1,
+                                                 .law = law->law,
+                                                 .setup = law->setup};
+    }
+    struct thud_model_input input = {.nstructures = 3, .structure = s, .ncontacts = n, .contact = c};
+    struct thud_model *model = NULL;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    return model;
+}
+
+/* Contacts that begin and are released while another one lasts, inside a step that goes on: each mass strikes the wall as
+ * if the other were not there, where such a step ends with the event. */
+START_TEST(beginning_inside_a_step)
+{
+    static const double tolerance[] = {1e-2, 1e-3, 1e-5};
+    const struct march_law law =
+        _i ? march_law("hertz", "stiffness", 1e9, NULL) : march_law("rubber", "stiffness", 1e9, "thickness", 0.5, NULL);
+    struct thud_record *record = march_motion(1);
+    for (size_t i = 0; i < sizeof tolerance / sizeof *tolerance; i++) {
+        struct thud_model *both = wall_between(&law, 3);
+        struct march together = exact(both, record, tolerance[i], 0);
+        ck_assert_double_lt(together.result->energy.error_ratio, tolerance[i]);
+        for (int side = 0; side < 2; side++) {
+            struct thud_model *one = wall_between(&law, 1 << side);
+            struct march alone = exact(one, record, 1e-2 * tolerance[i], 0);
+            const struct thud_contact_result *a = &together.result->contact[side], *b = alone.result->contact;
+            ck_assert_int_gt(b->impacts, 10);
+            ck_assert_int_eq(a->impacts, b->impacts);
+            ck_assert_double_eq_tol(a->force.value / b->force.value, 1, tolerance[i]);
+            ck_assert_double_eq_tol(a->indentation.value / b->indentation.value, 1, tolerance[i]);
+            ck_assert_double_eq_tol(a->contact_time_s / b->contact_time_s, 1, tolerance[i]);
+            ck_assert_double_eq_tol(a->impulse_ns / b->impulse_ns, 1, tolerance[i]);
+            march_free(&alone);
+            thud_model_free(one);
+        }
+        int onsets, releases;
+        ck_assert_int_lt(steps_to("onset", both, record, tolerance[i], &onsets), onsets * 9 / 10);
+        ck_assert_int_lt(steps_to("release", both, record, tolerance[i], &releases), releases * 9 / 10);
+        march_free(&together);
+        thud_model_free(both);
+    }
+    thud_record_free(record);
 }
 END_TEST
 
@@ -674,6 +758,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, grazing);
     tcase_add_test(tcase, grazing_shorter_than_a_step);
     tcase_add_loop_test(tcase, parting_inside_a_step, 0, 2);
+    tcase_add_test(tcase, beginning_inside_a_step);
     tcase_add_loop_test(tcase, no_length_is_of_its_own, 0, 8);
     tcase_add_test(tcase, from_wall_to_wall);
     tcase_add_test(tcase, touch_and_release_in_one_step);

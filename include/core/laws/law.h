@@ -145,6 +145,11 @@ double thud_power(const struct thud_powers *powers, double d);
  */
 
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
+/* Whether the force begins and ends at d = 0 with no slope, whatever the rate. */
+static inline bool thud_branch_is_smooth(const struct thud_branch *b)
+{
+    return b->f0_n == 0 && b->k_npm == 0 && b->c_nspm == 0 && b->soft_m == 0 && b->p > 1 && (b->D == 0 || b->r > 1);
+}
 
 /* ---- a law with struck columns ----
  *

@@ -37,24 +37,28 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
+/* Contact c begins at this time with this approach velocity. */
+static void begin(struct thud_state *state, struct thud_contact_log *log, int c, double time_s, double v)
+{
+    struct thud_contact_state *s = &state->contact[c];
+    s->onset_mps = v;
+    thud_law_onset(thud_contact_law(state, c), thud_contact_setup(state, c), v, &s->memory);
+    thud_contact_set_mode(state, c, THUD_CLOSED);
+    thud_contact_ready(state, c, s);
+    s->expected_force_n = expected_force(state, c, v);
+    thud_contact_log_begin(log, c, time_s, v);
+}
+
 static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
-    const struct thud_law *law = thud_contact_law(state, c);
-    double v = s->onset_mps = closing_rate(state, c);
-    thud_law_onset(law, thud_contact_setup(state, c), v, &s->memory);
-    s->ultimate_m = thud_law_ultimate(law, thud_contact_setup(state, c), &s->memory, THUD_APPROACH);
-    s->phase = THUD_APPROACH;
-    s->past_ultimate = false;
-    thud_contact_set_mode(state, c, THUD_CLOSED);
+    const double v = closing_rate(state, c);
     bool pressed = thud_contact_indentation(state, c) >
                    THUD_TOL_CONTACT * state->length_m; /* from the start: the clearance is negative */
-    thud_contact_renew_branch(state, c, s);
+    begin(state, log, c, thud_state_now(state), v);
     /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
     bool from_zero = v == 0 && !pressed && s->branch.f0_n == 0 && s->branch.K == 0 && s->branch.D == 0;
     s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
-    s->expected_force_n = expected_force(state, c, v);
-    thud_contact_log_begin(log, c, thud_state_now(state), v);
 }
 
 /* Suppressed coefficients of a force that has just left 0 to this side: none where a blow has put it beyond. */
@@ -190,36 +194,64 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
     return unstick(state, log, contact, event, err);
 }
 
-/* Contact c has parted at s of a segment that has gone on behind it. */
-static enum thud_status part(struct thud_state *state, struct thud_contact_log *log, const struct thud_segment *seg,
-                             int c, double s, struct thud_error *err)
+/* The rate of contact c at s of a segment. */
+static double rate_at(const struct thud_state *state, const struct thud_segment *seg, int c, double s)
 {
-    const double time_s = seg->start_s + s * seg->h_s;
-    if (state->contact[c].mode == THUD_CLOSED) {
-        double at[3];
-        thud_poly_value3(thud_segment_read(state, seg, c), seg->terms, s, at);
-        thud_contact_released(state, log, c, time_s, at[1] / seg->h_s);
-    }
-    state->work->events++;
-    const bool there = thud_contact_indentation(state, c) >= -state->touch_m;
-    const enum thud_status status = thud_contact_open(state, log, c, there, err);
-    return status == THUD_OK ? thud_contact_log_event(log, state, time_s, c, THUD_EVENT_SEPARATION, 0, err) : status;
+    double at[3];
+    thud_poly_value3(thud_segment_read(state, seg, c), seg->terms, s, at);
+    return at[1] / seg->h_s;
 }
 
-enum thud_status thud_contacts_part(struct thud_state *state, struct thud_contact_log *log,
-                                    const struct thud_segment *seg, double s, struct thud_error *err)
+enum thud_status thud_contacts_begin(struct thud_state *state, struct thud_contact_log *log,
+                                     const struct thud_segment *seg, double s, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    double *parted = seg->notes->parted;
+    for (int c = 0; c < state->model->ncontacts && status == THUD_OK; c++) {
+        const double at = seg->notes->begun[c], time_s = seg->start_s + at * seg->h_s;
+        if (!(at >= 0 && at <= s))
+            continue;
+        begin(state, log, c, time_s, rate_at(state, seg, c, at));
+        state->work->events++;
+        status = thud_contact_log_event(log, state, time_s, c, THUD_EVENT_ONSET, 0, err);
+    }
+    return status;
+}
+
+/* Contact c has parted or been released at s of a segment that has gone on behind it. */
+static enum thud_status end(struct thud_state *state, struct thud_contact_log *log, const struct thud_segment *seg,
+                            int c, enum thud_event event, double s, struct thud_error *err)
+{
+    const double time_s = seg->start_s + s * seg->h_s;
+    enum thud_status status = THUD_OK;
+    if (state->contact[c].mode == THUD_CLOSED)
+        thud_contact_released(state, log, c, time_s, rate_at(state, seg, c, s));
+    state->work->events++;
+    const bool there = thud_contact_indentation(state, c) >= -state->touch_m;
+    if (event == THUD_EVENT_SEPARATION)
+        status = thud_contact_open(state, log, c, there, err);
+    else
+        thud_contact_set_mode(state, c, THUD_CLOSED_NO_FORCE);
+    return status == THUD_OK ? thud_contact_log_event(log, state, time_s, c, event, 0, err) : status;
+}
+
+enum thud_status thud_contacts_end(struct thud_state *state, struct thud_contact_log *log,
+                                   const struct thud_segment *seg, double s, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
     for (int first = 0; first >= 0 && status == THUD_OK;) {
         first = -1;
         for (int c = 0; c < state->model->ncontacts; c++)
-            if (parted[c] <= s && (first < 0 || parted[c] < parted[first]))
+            if (thud_segment_ended(seg, c) <= s &&
+                (first < 0 || thud_segment_ended(seg, c) < thud_segment_ended(seg, first)))
                 first = c;
-        if (first >= 0) {
-            status = part(state, log, seg, first, parted[first], err);
-            parted[first] = INFINITY;
-        }
+        if (first < 0)
+            continue;
+        double *released = &seg->notes->released[first], *parted = &seg->notes->parted[first];
+        const bool parts = *parted <= *released;
+        status = end(state, log, seg, first, parts ? THUD_EVENT_SEPARATION : THUD_EVENT_RELEASE,
+                     parts ? *parted : *released, err);
+        *released = INFINITY;
+        *parted = parts ? INFINITY : *parted;
     }
     return status;
 }

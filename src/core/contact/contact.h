@@ -14,10 +14,13 @@ void thud_contact_moved(struct thud_state *state);
 enum thud_status thud_contact_switch(struct thud_state *state, struct thud_contact_log *log, int contact,
                                      enum thud_event event, struct thud_error *err);
 
-/* Opens the contacts that have parted in the segment, whose end up to s the state is, one after the other. Errors:
- * THUD_MEMORY. */
-enum thud_status thud_contacts_part(struct thud_state *state, struct thud_contact_log *log,
-                                    const struct thud_segment *seg, double s, struct thud_error *err);
+/* Closes the contacts that begin in the segment up to s, which starts at the state. Errors: THUD_MEMORY. */
+enum thud_status thud_contacts_begin(struct thud_state *state, struct thud_contact_log *log,
+                                     const struct thud_segment *seg, double s, struct thud_error *err);
+/* Releases and opens the contacts that have come to that in the segment, whose end up to s the state is, one after the
+ * other. Errors: THUD_MEMORY. */
+enum thud_status thud_contacts_end(struct thud_state *state, struct thud_contact_log *log,
+                                   const struct thud_segment *seg, double s, struct thud_error *err);
 
 /* contact_update.c, for runs that do not locate: acts on what the state shows; apart: no contact is indented there.
  * Errors: as thud_contact_switch. */

@@ -72,14 +72,17 @@ enum thud_status thud_contact_log_event(struct thud_contact_log *log, const stru
     if (!larger)
         return thud_error_set(err, THUD_MEMORY, "out of memory for the list of events");
     log->event = larger;
+    int at = log->nevents++; /* a contact may have begun in a segment before another one parted */
+    for (; at > 0 && log->event[at - 1].time_s > time_s; at--)
+        log->event[at] = log->event[at - 1];
     const bool falls = event == THUD_EVENT_COLLAPSE; /* its row is beyond those that have a force */
-    log->event[log->nevents++] = (struct thud_event_entry){.time_s = time_s,
-                                                           .row = row,
-                                                           .event = thud_event_words[event].name,
-                                                           .guard = thud_event_words[event].guard,
-                                                           .then = falls ? "collapsed" : state_of(state, row),
-                                                           .order = order,
-                                                           .force_n = falls ? 0 : force_of(state, row)};
+    log->event[at] = (struct thud_event_entry){.time_s = time_s,
+                                               .row = row,
+                                               .event = thud_event_words[event].name,
+                                               .guard = thud_event_words[event].guard,
+                                               .then = falls ? "collapsed" : state_of(state, row),
+                                               .order = order,
+                                               .force_n = falls ? 0 : force_of(state, row)};
     return THUD_OK;
 }
 

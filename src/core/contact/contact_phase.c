@@ -21,6 +21,15 @@ void thud_contact_renew_branch(const struct thud_state *state, int c, struct thu
     assert(!thud_branch_fault(thud_contact_law(state, c), &s->branch, s->phase));
 }
 
+void thud_contact_ready(const struct thud_state *state, int c, struct thud_contact_state *s)
+{
+    s->ultimate_m =
+        thud_law_ultimate(thud_contact_law(state, c), thud_contact_setup(state, c), &s->memory, THUD_APPROACH);
+    s->phase = THUD_APPROACH;
+    s->past_ultimate = false;
+    thud_contact_renew_branch(state, c, s);
+}
+
 void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
 {
     struct thud_contact_state *s = &state->contact[c];
@@ -114,6 +123,8 @@ enum thud_status thud_contact_open(struct thud_state *state, struct thud_contact
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
     s->suppressed = (struct thud_suppressed){.indentation = suppressed};
+    if (!thud_law_is_linear(thud_contact_law(state, c)))
+        thud_contact_ready(state, c, s);
     const bool listed = c < state->model->npairs && thud_impact_counts(state, c, log->now[c].impulse_ns);
     return listed ? thud_contact_log_add(log, &log->now[c], err) : THUD_OK;
 }

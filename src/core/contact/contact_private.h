@@ -25,6 +25,8 @@ struct thud_contact_state thud_contact_in_phase(const struct thud_state *state, 
 void thud_contact_go_on(struct thud_state *state, int c, enum thud_phase phase, int rate_zeros);
 /* The branch of its phase, by its memory. */
 void thud_contact_renew_branch(const struct thud_state *state, int c, struct thud_contact_state *s);
+/* The contact as it is before its next onset. */
+void thud_contact_ready(const struct thud_state *state, int c, struct thud_contact_state *s);
 /* Changes the mode and keeps the counts of contacts. */
 void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode);
 /* The force has come to its end, at this time and rate of the indentation. */

@@ -351,16 +351,16 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
     return first;
 }
 
-/* Whether the segment goes on as it is where the contact parts at s: it does not come back, and has no force any more, or
- * one that the law lets end there with its slope, and whose polynomial ends as well as the tolerance asks. */
-static bool parts_quietly(const struct view *v, double s)
+/* Whether the segment goes on as it is where the contact is released or parts at s: it does not come back, and has no
+ * force any more, or one that its polynomial ends as well as the tolerance asks; at d = 0 with its slope. */
+static bool ends_quietly(const struct view *v, enum thud_event event, double s)
 {
     enum { PLACES = 4 };
     static const double part = 0.3; /* of the tolerance, as a step's error at most */
     const struct thud_contact_state *contact = &v->state->contact[v->c];
-    const struct thud_branch *b = &contact->branch;
-    const bool ends =
-        b->f0_n == 0 && b->k_npm == 0 && b->c_nspm == 0 && b->soft_m == 0 && b->p > 1 && (b->D == 0 || b->r > 1);
+    const bool ends = event == THUD_EVENT_SEPARATION ? thud_branch_is_smooth(&contact->branch)
+                                                     : v->seg->nodes && !contact->past_ultimate &&
+                                                           !v->state->model->contact[v->c].law->keeps_residual;
     double force[THUD_SEGMENT_TERMS], most = 0;
     if (v->seg->interpolates || !(v->middle[1] + v->reach[1] < 0))
         return false;
@@ -370,6 +370,20 @@ static bool parts_quietly(const struct view *v, double s)
     for (int i = 1; i <= PLACES && ends; i++)
         most = thud_larger(most, fabs(thud_poly_value(force, v->seg->loaded, s + (1 - s) * i / PLACES)));
     return ends && most <= part * v->state->tolerance * contact->expected_force_n;
+}
+
+/* Whether the contact only goes deeper in the segment, on the branch that it begins with. */
+static bool goes_deeper(const struct view *v)
+{
+    return v->middle[1] > v->reach[1] && v->middle[0] + v->reach[0] < v->state->contact[v->c].ultimate_m;
+}
+
+/* Whether nothing can happen to a closed contact: it goes deeper, and its force does not fall to 0 by that. */
+static bool goes_on(const struct view *v)
+{
+    const struct thud_contact_state *s = &v->state->contact[v->c];
+    return s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && s->branch.f0_n >= 0 && v->middle[0] > 0 &&
+           goes_deeper(v);
 }
 
 double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,
@@ -386,12 +400,18 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
         if (mode == THUD_OPEN && !may_close(state, seg, c))
             continue;
         struct view v = view_of(state, seg, c, copy);
+        if (goes_on(&v))
+            continue;
         double limit = thud_smaller(s_end, first);
         const struct guards *guards = &guards_of[mode];
         for (const struct guard *guard = guards->guard; guard < guards->guard + guards->count; guard++) {
             const double s = guard_fires(&v, guard, limit, &suppressed);
-            if (s <= limit && guard->event == THUD_EVENT_SEPARATION && parts_quietly(&v, s)) {
-                seg->notes->parted[c] = limit = s;
+            if (s <= limit && (guard->event == THUD_EVENT_SEPARATION || guard->event == THUD_EVENT_RELEASE) &&
+                ends_quietly(&v, guard->event, s)) {
+                *(guard->event == THUD_EVENT_RELEASE ? &seg->notes->released[c] : &seg->notes->parted[c]) = limit = s;
+            } else if (s <= limit && guard->event == THUD_EVENT_ONSET && seg->nodes && seg->nodes->at[c] >= 0 &&
+                       goes_deeper(&v)) { /* it was solved for too */
+                seg->notes->begun[c] = s;
             } else if (s < first) {
                 first = s;
                 *contact = c;

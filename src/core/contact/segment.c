@@ -26,7 +26,8 @@ static void forget(const struct thud_segment *seg, int nrows)
 {
     for (int c = 0; c < nrows; c++) {
         seg->notes->cached[c] = -1;
-        seg->notes->parted[c] = INFINITY;
+        seg->notes->released[c] = seg->notes->parted[c] = INFINITY;
+        seg->notes->begun[c] = -1;
     }
 }
 
@@ -41,8 +42,9 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_s
         THUD_LAY_IN(state->memory, err, THUD_PIECE(seg->q, terms * n), THUD_PIECE(notes.bound, 2 * n),
                     THUD_PIECE(seg->force, terms * nc), THUD_PIECE(notes.indentation, terms * nc),
                     THUD_PIECE(notes.floors, ns), THUD_PIECE(notes.drifts, ns), THUD_PIECE(notes.thirds, ns),
-                    THUD_PIECE(notes.parted, nc), THUD_PIECE(notes.end, 2 * n), THUD_PIECE(notes.falling, terms),
-                    THUD_PIECE(seg->row, nc), THUD_PIECE(notes.cached, nc), THUD_PIECE(seg->notes, 1));
+                    THUD_PIECE(notes.released, nc), THUD_PIECE(notes.parted, nc), THUD_PIECE(notes.begun, nc),
+                    THUD_PIECE(notes.end, 2 * n), THUD_PIECE(notes.falling, terms), THUD_PIECE(seg->row, nc),
+                    THUD_PIECE(notes.cached, nc), THUD_PIECE(seg->notes, 1));
     if (status == THUD_OK) {
         *seg->notes = notes;
         forget(seg, model->nrows);
@@ -607,25 +609,27 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
 {
     const struct thud_model *m = state->model;
     const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
-    double size[THUD_SEGMENT_TERMS], largest = 0;
-    const bool at_zero = thud_row_starts_at_zero(state, c);
+    double left[THUD_SEGMENT_TERMS], right[THUD_SEGMENT_TERMS], size[THUD_SEGMENT_TERMS], largest = 0;
     int suppressed = 0;
-    for (int k = 0; k < seg->terms; k += 4) { /* neighbours that move alike have exactly no relative motion */
-        thud_vec2 left[4] = {0}, right[4] = {0};
-        if (l->modes > 0)
-            thud_add_dots(l->modes, l->row, seg->q + k * m->nmodes + l->first_mode, m->nmodes, 4, left);
-        if (r->modes > 0)
-            thud_add_dots(r->modes, r->row, seg->q + k * m->nmodes + r->first_mode, m->nmodes, 4, right);
-        for (int i = 0; i < 4; i++)
-            out[k + i] = thud_vec2_sum(left[i]) - thud_vec2_sum(right[i]);
-        for (int i = 0; i < 4 && at_zero; i++)
-            size[k + i] = fabs(thud_vec2_sum(left[i])) + fabs(thud_vec2_sum(right[i]));
+    if (!thud_row_starts_at_zero(state, c)) {
+        const int first =
+                      r->modes == 0 || (l->modes > 0 && l->first_mode < r->first_mode) ? l->first_mode : r->first_mode,
+                  end_l = l->first_mode + l->modes, end_r = r->first_mode + r->modes;
+        thud_model_gap_pair(m, c, seg->q, m->nmodes, out); /* the bits of the state */
+        thud_dots((end_l > end_r ? end_l : end_r) - first, m->jacobian + c * m->nmodes + first,
+                  seg->q + 2 * m->nmodes + first, m->nmodes, seg->terms - 2, out + 2);
+        out[0] -= thud_state_clearance(state, c);
+        return 0;
+    }
+    /* side by side: neighbours that move alike have exactly no relative motion */
+    thud_dots(l->modes, l->row, seg->q + l->first_mode, m->nmodes, seg->terms, left);
+    thud_dots(r->modes, r->row, seg->q + r->first_mode, m->nmodes, seg->terms, right);
+    for (int k = 0; k < seg->terms; k++) {
+        out[k] = left[k] - right[k];
+        size[k] = fabs(left[k]) + fabs(right[k]);
+        largest = thud_larger(largest, size[k]);
     }
     out[0] -= thud_state_clearance(state, c);
-    if (!at_zero)
-        return 0;
-    for (int k = 0; k < seg->terms; k++)
-        largest = thud_larger(largest, size[k]);
     while (suppressed < seg->terms &&
            fabs(out[suppressed]) <= term_noise(state, seg->interpolates, suppressed, size, largest))
         suppressed++;

@@ -29,7 +29,8 @@ struct thud_segment_notes {
     double *thirds;          /* (nstructures) largest third derivative by s of any floor, where the segment has nodes */
     double *end, end_s;      /* (2 x nmodes) modal state there, and where */
     thud_vec2_aligned *falling; /* (THUD_SEGMENT_TERMS) k (k - 1) (k - 2) */
-    double *parted;             /* (nrows) s at which a contact parts and nothing else changes; INFINITY: none does */
+    double *released, *parted;  /* (nrows) s at which a contact does so and nothing else changes; INFINITY: none does */
+    double *begun; /* (nrows) the same of one that begins, INFINITY: it may have done; -1: it has no force before */
 };
 
 /* Rows at the nodes of a collocated step: the first at its start, the last at its end. */
@@ -126,6 +127,12 @@ static inline bool thud_segment_has_force(const struct thud_state *state, const 
 {
     const bool acts = thud_row_acts(state, c);
     return acts || (!state->locates && thud_segment_has_any(state, seg, c));
+}
+
+/* From which s on contact c has no force: it has been released or has parted there. */
+static inline double thud_segment_ended(const struct thud_segment *seg, int c)
+{
+    return thud_smaller(seg->notes->released[c], seg->notes->parted[c]);
 }
 
 /* Values of all modal coordinates and their rates at s. */

@@ -35,6 +35,7 @@ static const double least_of_three = 3e-3;     /* tolerance at or above which so
 static const double least_of_four = 3e-4;
 /* Of the run's tolerance, for the error of a step: below least_of_four, and from there on. */
 static const double step_part[] = {0.1, 0.3};
+static const double begins_below = 1;     /* of the run's tolerance: the force of a contact that begins in a step */
 static const double solution_part = 0.01; /* of that, for the solution of the equations */
 static const double series_part = 1e-4;   /* of the run's tolerance, for terms left out of a series */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
@@ -58,6 +59,7 @@ struct step {
 struct scheme {
     int n, points; /* nodes; and with those behind them where the error is measured */
     double point[POINTS_MAX], weight[NODES_MAX];
+    int terms[LEVELS];                 /* of the series of a step of each level; 0: not yet known */
     double lagrange[NODES_MAX][ROW];   /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others */
     double between[NODES_MAX][CHECKS]; /* and its values where the error is measured */
     double back
@@ -90,7 +92,7 @@ struct thud_collocation {
         double force, by_d, by_v; /* the law at the start */
         bool rough;               /* what follows does not go on smoothly from there */
         double scale;             /* on which an error of its force counts, but for the forces of the step */
-        double per_scale;         /* 1 over all of it */
+        double per_scale;         /* 1 over that */
     } * begins;                   /* (nactive) */
     double *residual, *matrix;    /* (unknowns); square */
     lapack_int *pivot;
@@ -314,6 +316,12 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     return status;
 }
 
+/* An open contact that the step is solved for. */
+static bool is_awaited(const struct thud_state *state, const struct thud_collocation *x, int row)
+{
+    return x->at[row] >= 0 && !thud_row_acts(state, row);
+}
+
 static struct branch_name name_of(const struct thud_state *state, int row)
 {
     const struct thud_contact_state *s = thud_row_contact(state, row);
@@ -425,11 +433,9 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
     const double longer = x->at_h > 0 ? h / x->at_h : 1; /* the displacement by a force goes with its square */
     double before = 0,
            contraction = thud_smaller(slowest_contraction, x->contraction * longer * thud_larger(longer, 1));
-    for (int a = 0; a < x->nactive; a++) {
+    for (int a = 0; a < x->nactive; a++)
         if (x->begins[a].sticks)
             return false;
-        x->begins[a].per_scale = 1 / force_scale(state, x, a, x->by->n);
-    }
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
         const double change = x->by->n == 3   ? sweep_nodes(state, x, 3)
                               : x->by->n == 4 ? sweep_nodes(state, x, 4)
@@ -524,6 +530,7 @@ static void start_forces(const struct thud_state *state, struct thud_collocation
         if (thud_row_contact(state, c)) /* of a storey, the yield force */
             x->largest_n[c] = thud_larger(x->largest_n[c], fabs(begins->force));
         begins->scale = scale_at_start(state, x, a);
+        begins->per_scale = 1 / begins->scale;
     }
 }
 
@@ -560,14 +567,20 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
 /* Keeps the forces at the nodes as polynomials of a step that begins at the state. */
 static void keep_step(const struct thud_state *state, struct thud_collocation *x, double h)
 {
+    const int n = x->by->n;
     for (int c = 0; c < x->nc; c++)
-        x->step.of[c] = name_of(state, c);
+        x->step.of[c] =
+            is_awaited(state, x, c) ? (struct branch_name){true, THUD_CLOSED, THUD_APPROACH, false} : name_of(state, c);
     for (int a = 0; a < x->nactive; a++) {
         double *coefficient = x->step.coefficient + x->active[a] * ROW;
-        memset(coefficient, 0, ROW * sizeof *coefficient);
-        thud_add_rows(ROW, x->by->n, 1, x->force + a * x->by->n, x->by->lagrange[0], coefficient);
+        for (int p = 0; p < n; p += 2) {
+            thud_vec2 sum = {0, 0};
+            for (int k = 0; k < n; k++)
+                sum += x->force[a * n + k] * thud_vec2_at(x->by->lagrange[k] + p);
+            thud_vec2_put(sum, coefficient + p);
+        }
     }
-    x->step.n = x->by->n;
+    x->step.n = n;
     x->step.h = h;
     x->step.done_s = 0;
 }
@@ -577,8 +590,16 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
 {
     const double h = x->step.h, least = fmax(THUD_TOL_SERIES, series_part * state->tolerance);
     const int n = x->by->n;
-    thud_segment_begin(state, seg, h, thud_segment_terms(state->fastest_radps * h, least, n + 3));
+    int *terms = &x->by->terms[x->made_level];
+    if (*terms == 0)
+        *terms = thud_segment_terms(state->fastest_radps * h, least, n + 3);
+    thud_segment_begin(state, seg, h, *terms);
     seg->loaded = n;
+    for (int a = 0; a < x->nactive; a++)
+        if (is_awaited(state, x, x->active[a])) {
+            seg->row[seg->rows++] = x->active[a];
+            seg->notes->begun[x->active[a]] = INFINITY;
+        }
     for (int a = 0; a < x->nactive; a++)
         for (int k = 0; k < n; k++)
             seg->force[k * x->nc + x->active[a]] = x->step.coefficient[x->active[a] * ROW + k];
@@ -590,11 +611,27 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
     seg->nodes = &x->by->nodes;
 }
 
+/* Whether a row is an open contact that is expected to close in the step, as it goes now, and need not end it: its force
+ * begins with no slope, whatever the speed, and stays so small that its polynomial may bend there. */
+static bool may_begin(const struct thud_state *state, const struct thud_collocation *x, int row)
+{
+    const struct thud_contact_state *s = thud_row_contact(state, row);
+    const struct thud_branch *b = s ? &s->branch : NULL;
+    if (!s || s->mode != THUD_OPEN || s->suppressed.indentation > 0 || b->K == 0 || b->D != 0 ||
+        !thud_branch_is_smooth(b))
+        return false;
+    double motion[2];
+    thud_contact_motion(state, row, motion);
+    const double d = motion[0] + motion[1] * thud_smaller(x->h, thud_state_remaining(state));
+    return motion[0] < 0 && d > 0 &&
+           thud_branch_force(b, d, 0, NULL, NULL) <= begins_below * state->tolerance * s->expected_force_n;
+}
+
 static void find_active(const struct thud_state *state, struct thud_collocation *x)
 {
     int n = 0;
     for (int c = 0; c < x->nc; c++) {
-        const bool acts = thud_row_acts(state, c);
+        const bool acts = thud_row_acts(state, c) || may_begin(state, x, c);
         if (acts != (x->at[c] >= 0))
             x->made_by = NULL;
         x->at[c] = acts ? n : -1;

@@ -31,7 +31,8 @@ void thud_observation_forces(const struct thud_observation *o, double s, double 
         for (int k = o->seg->terms - 1; k >= 0; k--)
             force[c] = force[c] * s + o->seg->force[k * rows + c];
         const bool pushes = c < m->ncontacts && !(m->contact[c].law->flags & THUD_LAW_PULLS);
-        if (s >= o->seg->notes->parted[c] || (pushes && force[c] < 0)) /* but for the tolerance */
+        if (s <= o->seg->notes->begun[c] || s >= thud_segment_ended(o->seg, c) ||
+            (pushes && force[c] < 0)) /* but for the tolerance */
             force[c] = 0;
     }
 }

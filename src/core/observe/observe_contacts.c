@@ -21,10 +21,14 @@ static void raise_both(const struct thud_segment *seg, struct thud_peak *peak, d
     raise_to(peak, of_impact, value, seg->start_s + where * seg->h_s);
 }
 
-/* How far a contact lasts in the segment: it may have parted there before anything switches. */
+/* From where and how far a contact lasts in the segment: it may have begun or parted there while nothing switched. */
+static double start_of(const struct thud_observation *o, int c)
+{
+    return thud_larger(0, o->seg->notes->begun[c]);
+}
 static double end_of(const struct thud_observation *o, int c)
 {
-    return thud_smaller(o->s, o->seg->notes->parted[c]);
+    return thud_smaller(o->s, thud_segment_ended(o->seg, c));
 }
 
 static void indentation_peak(struct thud_contact_log *log, const struct thud_observation *o, int c)
@@ -32,8 +36,9 @@ static void indentation_peak(struct thud_contact_log *log, const struct thud_obs
     struct thud_impact *impact = &log->now[c];
     struct thud_peak *peak = &log->contact[c].indentation;
     const struct thud_segment *seg = o->seg;
-    if (o->state->locates &&
-        !(seg->nodes && seg->nodes->at[c] >= 0 && o->state->model->contact[c].law->flags & THUD_LAW_REVERSES)) {
+    const bool reverses = o->state->model->contact[c].law->flags & THUD_LAW_REVERSES,
+               one_way = reverses || seg->notes->begun[c] >= 0;
+    if (o->state->locates && !(seg->nodes && seg->nodes->at[c] >= 0 && one_way)) {
         raise_both(seg, peak, &impact->indentation_m, thud_segment_read(o->state, seg, c), seg->terms, end_of(o, c));
         return;
     }
@@ -57,7 +62,7 @@ static int force_of(const struct thud_observation *o, int c, double *out)
 static void contact_peaks(struct thud_contact_log *log, const struct thud_observation *o, int c)
 {
     double p[THUD_SEGMENT_TERMS];
-    if (o->state->contact[c].mode != THUD_OPEN)
+    if (thud_contact_acts(&o->state->contact[c])) /* without force it comes no deeper than where that ended */
         indentation_peak(log, o, c);
     if (!thud_segment_has_force(o->state, o->seg, c))
         return;
@@ -89,7 +94,7 @@ static double pushing_s(const struct thud_observation *o, const struct thud_cont
     const struct thud_state *state = o->state;
     double p[THUD_SEGMENT_TERMS];
     if (!(state->model->contact[of->contact].law->flags & THUD_LAW_PULLS))
-        return end_of(o, of->contact) * seg->h_s;
+        return (end_of(o, of->contact) - start_of(o, of->contact)) * seg->h_s;
     if (seg->end)
         return of->impulse_ns > 0 ? o->s * seg->h_s : 0;
     const int terms = force_of(o, of->contact, p);
@@ -113,11 +118,11 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
         r->work_j += of->work_j;
         if (thud_contact_acts(&o->state->contact[of->contact]))
             log->waiting_s[of->contact] += pushing_s(o, of);
-        if (thud_impact_counts(o->state, of->contact, log->now[of->contact].impulse_ns)) {
+        thud_impact_count(o->state, log, of->contact);
+        if (log->counted[of->contact]) {
             r->contact_time_s += log->waiting_s[of->contact];
             log->waiting_s[of->contact] = 0;
         }
-        thud_impact_count(o->state, log, of->contact);
     }
     return THUD_OK;
 }

@@ -254,7 +254,9 @@ static double next_peak(const struct thud_history_rows *rows, const struct thud_
     for (int c = 0; c < r->ncontacts; c++) {
         best = sooner(best, r->contact[c].force, after);
         best = sooner(best, r->contact[c].indentation, after);
-        best = sooner(best, (struct thud_peak){1, o->seg->start_s + o->seg->notes->parted[c] * o->seg->h_s}, after);
+        best = sooner(best, (struct thud_peak){1, o->seg->start_s + o->seg->notes->begun[c] * o->seg->h_s}, after);
+        best =
+            sooner(best, (struct thud_peak){1, o->seg->start_s + thud_segment_ended(o->seg, c) * o->seg->h_s}, after);
     }
     for (int i = 0; i < r->nlinks; i++) {
         best = sooner(best, r->link[i].force, after);

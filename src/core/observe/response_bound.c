@@ -92,11 +92,10 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
     const struct thud_model *m = state->model;
     peaks->pushes = 0;
     peaks->rests = false;
-    for (int c = 0; c < m->nrows; c++) {
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
         const struct thud_model_storey *storey = thud_model_row_storey(m, c);
         const bool rests = storey && storey->link < 0; /* a link's may push a free body, which rests nowhere */
-        if (!storey && !thud_row_acts(state, c))
-            continue;
         double bound = rests ? 0 : fabs(seg->force[c]);
         for (int k = 1; k < seg->loaded; k++)
             bound += fabs(seg->force[k * m->nrows + c]);

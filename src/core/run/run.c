@@ -66,6 +66,8 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     if (status == THUD_OK)
         status = thud_run_watch_progress(run, &p, err);
     if (status == THUD_OK && p.s > 0)
+        status = thud_contacts_begin(&run->state, &run->log, &run->seg, p.s, err);
+    if (status == THUD_OK && p.s > 0)
         status = observe(run, &p, err);
     if (status != THUD_OK)
         return status;
@@ -73,7 +75,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
     bool switched = p.switched;
     if (p.s > 0) {
         commit(run, &p);
-        status = thud_contacts_part(&run->state, &run->log, &run->seg, p.s, err);
+        status = thud_contacts_end(&run->state, &run->log, &run->seg, p.s, err);
     }
     if (status == THUD_OK && !run->seg.end) /* else it has been looked at as a proposal */
         status = thud_run_check_state(run, run->state.q, run->state.qd, err);
