@@ -47,6 +47,15 @@ is "which hold what it lost" awk -F, 'NR == FNR { if (/"link": 1,/) { match($0, 
     /^time_s/ { for (i = 1; i <= NF; i++) { if ($i == "link.1.force_n") f = i; if ($i == "link.1.stroke_m") d = i } next }
     f && d && !/^#/ { if (n++) work += ($f + force) / 2 * ($d - stroke); force = $f; stroke = $d }
     END { exit !(lost > 7e5 && work / lost > 0.998 && work / lost < 1.002) }' "$tmp/run/result.json" "$tmp/run/histories.csv"
+# A spring that bears next to nothing beside them: what is said of links is about it alone, with it and without it.
+sed 's/east moat/east/' presets/$scene.yaml >"$tmp/p.yaml"
+printf 'links:\n  - {law: spring, from: isolated.1, to: east, stiffness: 1 kN/m}\n' >>"$tmp/p.yaml"
+is "a link beside the soil: cases" sh -c "THUD_GNUPLOT='$tmp/gnuplot' '$THUD' run '$tmp/p.yaml' --cases none,as-written --quiet -o '$tmp/beside' >'$tmp/out' 2>&1; [ -s '$tmp/beside/made-by.txt' ]"
+is "call no soil a link" [ "$(grep -c 'Largest link force' "$tmp/out") $(grep -c 'Largest link force: isolated.1-east, 0.0004' "$tmp/out")" = "1 1" ]
+# shellcheck disable=SC2016 # gnuplot's
+is "draw every case's soil, and none for the link" [ "$(sed -n "s/^set label 90 '\([^,]*\), .*/\1/p; s/^plot \(.P.S.*\)/\1/p" "$tmp/beside/hysteresis.gp" | sed 's/ using[^$]*//g' | tr '\n' ' ')" = 'west moat-ground $P1S2$P1S3$P1S1 east-ground $P2S2$P2S3$P2S1 ' ]
+is "and a study takes its force" gives 0 fragility "$tmp/p.yaml" --to 12s --vary record.factor=0.5,1 --records northridge-surrogate.csv,kobe-surrogate.csv --event link:1kN --csv --quiet --no-figures
+is "which stays below a kilonewton" [ "$(awk -F, '/^link/ { n += $6; rows++ } END { print n, rows }' "$tmp/out")" = "0 2" ]
 is "in JSON too" gives 0 run $scene --json --quiet
 is "by wall and law" shows '"ends": "west moat-ground", "law": "backfill"'
 is "and the scene" shows '"backfill": {"stiffness": "304.5 MN/m", "strength": "4890 kN", "ratio": "0.7"'

@@ -432,6 +432,32 @@ START_TEST(what_there_is_not_is_said)
 }
 END_TEST
 
+/* Rows of the movement below what it calls the case, right of the parameters. */
+static void stage_rows(const char *called, char *rows, size_t size)
+{
+    enum { RIGHT_OF = 40 };
+    char *text = fixture_text(&f), *at = strstr(text, called);
+    ck_assert_ptr_nonnull(at);
+    for (strtok(at, "\n"), rows[0] = '\0'; (at = strtok(NULL, "\n")) && strlen(at) > RIGHT_OF && *at == '|';)
+        thud_append(rows, size, "%s\n", at + RIGHT_OF);
+    free(text);
+}
+
+/* The case without the links draws the soil behind a wall as the scene without links does: it stands behind the links
+ * of the one, and first of the other. */
+START_TEST(soil_is_drawn_without_the_links)
+{
+    char with[4000], without[4000];
+    fixture_keys(&f, "<Size 120x40>:structures.1.kind=wall<Enter>:structures.1.backfill.strength=3MN<Enter>");
+    fixture_keys(&f, ":link add 1<Enter><A-5><Home>bb");
+    stage_rows("|neither bumper nor links  ", with, sizeof with);
+    fixture_keys(&f, ":link remove 1<Enter>");
+    stage_rows("|no bumper  ", without, sizeof without);
+    ck_assert_ptr_nonnull(strstr(without, "mm across"));
+    ck_assert_str_eq(with, without);
+}
+END_TEST
+
 /* The long forms of what keys do. */
 START_TEST(commands_of_the_command_line)
 {
@@ -801,6 +827,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, storeys_that_yield_have_two_quantities_more);
     tcase_add_test(views, a_run_that_fails_says_which_case_and_when);
     tcase_add_test(views, a_wall_moves_with_the_ground);
+    tcase_add_test(views, soil_is_drawn_without_the_links);
     tcase_add_test(views, several_structures);
     tcase_add_test(views, clicks_go_to_fields);
     tcase_add_test(views, clicks_on_floors_go_to_their_rows);

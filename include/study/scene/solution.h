@@ -47,6 +47,9 @@ enum thud_status thud_result_check(const struct thud_result *result, struct thud
 enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const struct thud_record *record,
                                          struct thud_error *err);
 
+/* Returns the link of the scene that bore the largest force in its result; NULL: no links. The soil behind
+ * walls, which a result lists behind them, is no link. */
+const struct thud_link_result *thud_link_hardest(const struct thud_scene *scene, const struct thud_result *result);
 /* Returns whether a floor (from 0) was struck by an impulse, which has no finite acceleration: the result holds the
  * peak between the impulses. */
 bool thud_floor_struck(const struct thud_result *result, int structure, int floor);

@@ -328,14 +328,12 @@ static bool moves_alike(const struct thud_run_cases *cases, int a, int b)
 /* What the links of a case bear, which is no force of a contact. */
 static void say_links(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
-    const struct thud_result *r = result_of(cases, i);
-    const struct thud_link_result *most = r->link;
+    const struct thud_scene *scene = &cases->item[i].scene;
+    const struct thud_link_result *most = thud_link_hardest(scene, result_of(cases, i));
     char name[2 * THUD_NAME_MAX], number[32];
-    for (int k = 0; k < r->nlinks; k++)
-        most = r->link[k].force.value > most->force.value ? &r->link[k] : most;
-    if (r->nlinks == 0)
+    if (!most)
         return;
-    thud_link_name(&cases->item[i].scene, (int)(most - r->link), name, sizeof name);
+    thud_link_name(scene, (int)(most - result_of(cases, i)->link), name, sizeof name);
     thud_text_append(out, "  Largest link force: %s, %s MN at %.3f s.\n", name,
                      thud_digits(1e-6 * most->force.value, 4, number), most->force.time_s);
 }

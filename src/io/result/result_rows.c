@@ -328,8 +328,11 @@ static const struct thud_column links[] = {
           "Number of times that a restrainer or a strut engaged, or friction slipped; no value for other laws."),
      .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}},
     {LINK(own.stored_j, "stored_j", "Elastic energy stored at the end, J.")}};
-const struct thud_schema thud_link_schema = THUD_SCHEMA(
-    "links", "In the list\n.Va links\nof\n.Pa result.json ,\nwhere there are links: each of them.\n", links);
+const struct thud_schema thud_link_schema =
+    THUD_SCHEMA("links",
+                "In the list\n.Va links\nof\n.Pa result.json ,\nwhere there are links: each of them, and behind them "
+                "the soil behind walls.\n",
+                links);
 
 static void make_link(const void *of, int i, void *out)
 {

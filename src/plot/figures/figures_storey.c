@@ -8,23 +8,28 @@
 
 enum { LOOPS_MAX = 6, LOOP_COLUMNS = 3 };
 
-/* A storey that yields: its structure and floor, from 0, and its place among the storeys of a history; a link: -1, its
- * index and -1. */
+/* A storey that yields: its structure and floor, from 0, and its place among the storeys of a history; a link, or the
+ * soil behind a wall: -1, its index less their number, and -1. */
 struct place {
     int structure, floor, storey;
 };
 
-/* A case may be without the links of others. */
+/* Index of a link of a case; below 0: a case may be without the links of others, whose soil is then before that. */
+static int link_of(const struct thud_figure_source *source, const struct place *at)
+{
+    return source->result->nlinks + at->floor;
+}
+
 static bool has(const struct thud_figure_source *source, const struct place *at)
 {
-    return at->structure >= 0 || at->floor < source->result->nlinks;
+    return at->structure >= 0 || link_of(source, at) >= 0;
 }
 
 static double lost_of(const struct thud_figure_source *source, const struct place *at)
 {
     if (!has(source, at))
         return 0.0;
-    return at->structure < 0 ? source->result->link[at->floor].lost_j
+    return at->structure < 0 ? source->result->link[link_of(source, at)].lost_j
                              : source->result->structure[at->structure].storey[at->floor].hysteretic_j;
 }
 
@@ -32,7 +37,7 @@ static double force_of(const struct thud_figure_source *source, const struct pla
 {
     if (!has(source, at))
         return 0.0;
-    return at->structure < 0 ? source->result->link[at->floor].force.value
+    return at->structure < 0 ? source->result->link[link_of(source, at)].force.value
                              : source->result->structure[at->structure].storey[at->floor].shear.value;
 }
 
@@ -60,7 +65,7 @@ static int list_storeys(const struct thud_figure_source *source, struct place *p
         }
     for (int i = 0; i < source->result->nlinks; i++, n++)
         if (n < most)
-            place[n] = (struct place){-1, i, -1};
+            place[n] = (struct place){-1, i - source->result->nlinks, -1};
     return n;
 }
 
@@ -75,8 +80,9 @@ static void loop(struct thud_panel *panel, const struct thud_figure_source *sour
 {
     const struct thud_history *h = source->history;
     const bool link = at->structure < 0;
-    const int drift = link ? thud_history_link_stroke(h, at->floor) : thud_history_storey_drift(h, at->storey),
-              force = link ? thud_history_link_force(h, at->floor) : thud_history_storey_shear(h, at->storey);
+    const int drift =
+                  link ? thud_history_link_stroke(h, link_of(source, at)) : thud_history_storey_drift(h, at->storey),
+              force = link ? thud_history_link_force(h, link_of(source, at)) : thud_history_storey_shear(h, at->storey);
     struct thud_series *series =
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, h->rows, NULL, NULL);
     for (size_t i = 0; series && i < h->rows; i++) {
@@ -113,8 +119,8 @@ struct thud_figure *thud_figure_hysteresis(enum thud_run_figure which, const str
         const struct thud_structure *of = at->structure < 0 ? NULL : &source->scene->structure[at->structure];
         if (!of) {
             char ends[2 * THUD_NAME_MAX + 32];
-            thud_link_name(linked->scene, at->floor, ends, sizeof ends);
-            snprintf(text, sizeof text, "%s, %s", ends, thud_link_law_name(linked->scene, at->floor));
+            thud_link_name(linked->scene, link_of(linked, at), ends, sizeof ends);
+            snprintf(text, sizeof text, "%s, %s", ends, thud_link_law_name(linked->scene, link_of(linked, at)));
         } else {
             char level[24];
             snprintf(text, sizeof text, "%s, %s", of->name, thud_structure_level_name(of, at->floor, true, level));

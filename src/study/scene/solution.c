@@ -117,6 +117,14 @@ static double mean_period(const struct thud_model *model, double *shortest, doub
     return n > 0 ? sum / n : 0;
 }
 
+const struct thud_link_result *thud_link_hardest(const struct thud_scene *scene, const struct thud_result *result)
+{
+    const struct thud_link_result *most = scene->nlinks > 0 ? result->link : NULL;
+    for (int i = 1; i < scene->nlinks; i++)
+        most = result->link[i].force.value > most->force.value ? &result->link[i] : most;
+    return most;
+}
+
 enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, struct thud_record_choice *choice,
                                             struct thud_error *err)
 {

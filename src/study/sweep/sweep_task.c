@@ -227,13 +227,12 @@ static void no_numbers(const struct thud_sweep_task *task)
 }
 
 /* What a run's effort keeps of its result. */
-static void take_run(struct thud_sweep_effort *effort, const struct thud_result *result)
+static void take_run(struct thud_sweep_task *task, const struct thud_result *result)
 {
-    effort->end_s = result->end_s;
-    effort->fall = result->collapse;
-    effort->link_n = NAN;
-    for (int i = 0; i < result->nlinks; i++)
-        effort->link_n = fmax(effort->link_n, result->link[i].force.value);
+    const struct thud_link_result *link = thud_link_hardest(task->cased, result);
+    task->effort.end_s = result->end_s;
+    task->effort.fall = result->collapse;
+    task->effort.link_n = link ? link->force.value : NAN;
 }
 
 /* The result without a run where the baseline has it; else a run. */
@@ -249,7 +248,7 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
     if ((shortcuts & THUD_SWEEP_FREE) && left == 0) {
         const struct thud_result *result = thud_baseline_result(baseline->baseline);
         point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
-        take_run(effort, result);
+        take_run(task, result);
         count_run(task);
         return THUD_OK;
     }
@@ -283,7 +282,7 @@ static enum thud_status finish(struct thud_sweep_task *task, struct thud_error *
     if (status != THUD_OK)
         return status;
     point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
-    take_run(&task->effort, result);
+    take_run(task, result);
     task->effort.steps = result->work.steps;
     task->effort.events = result->work.events;
     count_run(task);

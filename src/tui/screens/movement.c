@@ -423,9 +423,9 @@ static void draw_link(struct stage *stage, int index)
 {
     const struct thud_model_link *link = &stage->model->link[index];
     const double force = value_at(stage->history, thud_history_link_force(stage->history, index), stage->t);
-    const int some = link->left_dof >= 0 ? link->left_dof : link->right_dof, wall = thud_link_wall(stage->scene, index);
-    if (wall >= 0) {
-        draw_soil(stage, wall, force);
+    const int some = link->left_dof >= 0 ? link->left_dof : link->right_dof;
+    if (link->contact >= 0 && stage->model->contact[link->contact].law == &thud_law_backfill) {
+        draw_soil(stage, stage->model->dof_structure[some], force);
         return;
     }
     const bool loose = link->contact >= 0 && fabs(force) <= touch_n;
