@@ -127,12 +127,24 @@ static const struct thud_result *result_of(const struct thud_run_cases *cases, i
     return thud_run_result(cases->item[i].solution.run);
 }
 
-static double peak(const struct thud_run_cases *cases, int i, int structure, int floor, bool drift)
+/* Peaks that are compared, a table each: of floors, of the storeys below them, and of what is below a base slab. */
+enum peak { ACCELERATION, DRIFT, ISOLATOR, PEAKS };
+
+static double peak(const struct thud_run_cases *cases, int i, int structure, int floor, enum peak of)
 {
     const struct thud_floor_result *f = &result_of(cases, i)->structure[structure].floor[floor];
-    if (!drift && thud_floor_struck(result_of(cases, i), structure, floor))
+    if (of == ACCELERATION && thud_floor_struck(result_of(cases, i), structure, floor))
         return NAN; /* an impulse has no finite one */
-    return drift ? 1e3 * f->drift.value : f->acceleration.value;
+    return of == ACCELERATION ? f->acceleration.value : 1e3 * f->drift.value;
+}
+
+/* The rows of a structure that have such a peak, from row `first` up; returns how many. */
+static int rows_of(const struct thud_run_cases *cases, int structure, enum peak of, int *first)
+{
+    const struct thud_structure *p = &cases->item[0].scene.structure[structure];
+    const int floors = result_of(cases, 0)->structure[structure].floors, slabs = thud_structure_first_storey(p);
+    *first = of == DRIFT ? slabs : 0;
+    return of == ISOLATOR ? slabs : of == DRIFT && p->kind == THUD_RIGID ? 0 : floors - *first;
 }
 
 /* Index of case `none`; 0 where it was not asked for. */
@@ -149,23 +161,14 @@ static double ratio(double a, double b)
     return b > 0 ? a / b : NAN;
 }
 
-/* Of a floor (from 0), or of the storey below it: "base" below the base slab. */
-static const char *number_of(const struct thud_structure *p, int floor, bool drift, char text[16])
-{
-    const int number = drift ? thud_structure_storey(p, floor) : floor + 1;
-    snprintf(text, 16, "%d", number);
-    return number > 0 ? text : "base";
-}
-
-/* The peaks of a structure's floors, or of the storeys below them, from the top down. */
+/* The peaks of a structure, from the top down. */
 struct peaks {
     const struct thud_run_cases *cases;
-    int structure;
-    bool drift;
+    int structure, first, n;
+    enum peak of;
 };
 struct peak_row {
-    char number[16];
-    const char *floor;
+    int number; /* of the floor or storey, from 1; isolators: none */
     double value[THUD_RUN_CASES_MAX], ratio[THUD_RUN_CASES_MAX];
 };
 
@@ -174,24 +177,26 @@ static void make_peaks(const void *of, int i, void *out)
     const struct peaks *p = of;
     const struct thud_run_cases *cases = p->cases;
     struct peak_row *row = out;
-    const int s = p->structure, floor = result_of(cases, 0)->structure[s].floors - 1 - i, none = without(cases);
-    row->floor = number_of(&cases->item[0].scene.structure[s], floor, p->drift, row->number);
+    const int s = p->structure, floor = p->first + p->n - 1 - i, none = without(cases);
+    row->number = p->of == ISOLATOR ? THUD_NO_COUNT : p->n - i;
     for (int c = 0; c < cases->n; c++) {
-        row->value[c] = peak(cases, c, s, floor, p->drift);
-        row->ratio[c] = ratio(row->value[c], peak(cases, none, s, floor, p->drift));
+        row->value[c] = peak(cases, c, s, floor, p->of);
+        row->ratio[c] = ratio(row->value[c], peak(cases, none, s, floor, p->of));
     }
 }
 
-static void put_structure(const struct thud_run_cases *cases, int s, bool drift, struct thud_text *out)
+static void put_structure(const struct thud_run_cases *cases, int s, enum peak of, struct thud_text *out)
 {
-    const struct peaks peaks = {cases, s, drift};
-    const struct thud_structure *p = &cases->item[0].scene.structure[s];
-    int floors = result_of(cases, 0)->structure[s].floors, none = without(cases), n = 1;
+    static const char *const heading[] = {"total acceleration, m/s2", "interstorey drift, mm",
+                                          "isolator displacement, mm"};
+    struct peaks peaks = {.cases = cases, .structure = s, .of = of};
+    int none = without(cases), n = 1;
+    const char *numbered = of == ACCELERATION ? "floor" : "";
     struct thud_column column[2 * THUD_RUN_CASES_MAX] = {
-        {THUD_COLUMN(struct peak_row, floor, "", ""),
-         .shown = {drift ? "" : "floor", .width = 5, .how = THUD_DIGITS_WORD}}};
+        {THUD_COLUMN(struct peak_row, number, "", ""), .shown = {numbered, .width = 5, .how = THUD_DIGITS_WORD}}};
     char head[THUD_RUN_CASES_MAX][24];
-    if (floors == 0 || (drift && p->kind == THUD_RIGID))
+    peaks.n = rows_of(cases, s, of, &peaks.first);
+    if (peaks.n == 0)
         return;
     for (int i = 0; i < cases->n; i++) {
         const char *title = title_of(cases, i);
@@ -206,8 +211,8 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
                                                .shown = {head[i], NULL, 1, 12, 3, THUD_DIGITS_FIXED}};
         }
     const struct thud_schema schema = {"", "", column, n};
-    thud_text_append(out, "\n%s, %s\n", p->name, drift ? "interstorey drift, mm" : "total acceleration, m/s2");
-    thud_rows_table(&(struct thud_rows){&schema, 0, floors, make_peaks, &peaks}, out);
+    thud_text_append(out, "\n%s, %s\n", cases->item[0].scene.structure[s].name, heading[of]);
+    thud_rows_table(&(struct thud_rows){&schema, 0, peaks.n, make_peaks, &peaks}, out);
 }
 
 /* "floor 4 of A and the columns below floor 5 of B"; `left`: the structures of the interface. */
@@ -263,21 +268,20 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     thud_text_append(out, ".\n");
 }
 
-/* The floors whose acceleration (drift) is less, or more, by over 1 % than without the bumper. */
-static void say_floors(const struct thud_run_cases *cases, int i, bool more, bool drift, struct thud_text *out)
+/* The floors (storeys) whose acceleration (drift) is less, or more, by over 1 % than without the bumper. */
+static void say_floors(const struct thud_run_cases *cases, int i, bool more, enum peak peaks, struct thud_text *out)
 {
-    int none = without(cases), n = 0;
+    int none = without(cases), n = 0, first;
     struct thud_text list = {0};
     for (int s = 0; s < result_of(cases, 0)->nstructures; s++)
-        for (int f = 0; f < result_of(cases, 0)->structure[s].floors; f++) {
-            double change = ratio(peak(cases, i, s, f, drift), peak(cases, none, s, f, drift)) - 1;
-            const struct thud_structure *p = &cases->item[0].scene.structure[s];
-            char number[16], percent[32];
+        for (int k = 0, rows = rows_of(cases, s, peaks, &first); k < rows; k++) {
+            double change = ratio(peak(cases, i, s, first + k, peaks), peak(cases, none, s, first + k, peaks)) - 1;
+            char percent[32];
             if (more ? change > 0.01 : change < -0.01)
-                thud_text_append(&list, "%s%s\t%s\t(%s)", n++ ? ", " : "", p->name, number_of(p, f, drift, number),
-                                 thud_change_text(1 + change, percent));
+                thud_text_append(&list, "%s%s\t%d\t(%s)", n++ ? ", " : "", cases->item[0].scene.structure[s].name,
+                                 k + 1, thud_change_text(1 + change, percent));
         }
-    const char *what = drift ? "drifts" : "accelerations", *of = drift ? "storeys" : "floors";
+    const char *what = peaks == DRIFT ? "drifts" : "accelerations", *of = peaks == DRIFT ? "storeys" : "floors";
     const char *ending, *subject = thud_case_subject(cases->measures, cases->item[i].which, &ending),
                         *verb = more ? "raise" : "lower";
     if (n > 0 && !list.failed)
@@ -352,8 +356,8 @@ void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *
                          peak);
     }
     for (int s = 0; s < scene->nstructures; s++)
-        for (int drift = 0; drift < 2; drift++)
-            put_structure(cases, s, drift == 1, out);
+        for (int of = 0; of < PEAKS; of++)
+            put_structure(cases, s, (enum peak)of, out);
     struct thud_text said = {0};
     thud_text_append(out, "\n");
     for (int i = 1; i < cases->n; i++) {
@@ -362,7 +366,7 @@ void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *
     }
     for (int i = 1; none && i < cases->n; i++)
         for (int k = 0; k < 4 && i != none && !moves_alike(cases, i, none); k++)
-            say_floors(cases, i, k % 2 == 1, k >= 2, &said);
+            say_floors(cases, i, k % 2 == 1, k < 2 ? ACCELERATION : DRIFT, &said);
     const bool links = cases->need_without_links != NULL;
     if (links)
         say_needs(scene, cases->need_without_links, "Without the links: ", &said);
