@@ -136,8 +136,8 @@ static enum thud_status of_preset(const struct thud_args *args, struct thud_sess
         thud_text_append(&text, "{");
         thud_json_head(&text, session->preset_path);
     } else if (form == THUD_AS_TEXT)
-        thud_text_append(&text, "%s\nW: weight of a floor and those above, V_y and u_y: shear and drift at yield\n",
-                         scene->title);
+        thud_text_append(&text, "%s\nW: weight of a floor and those above, V_y and u_y: shear and drift at yield\n%s",
+                         scene->title, scene->nlinks > 0 ? "T1, T2, T3: periods of each without the links\n" : "");
     enum thud_status status = thud_scene_check(scene, err);
     if (status == THUD_OK)
         status = put_built(scene, form, &text, err);

@@ -114,6 +114,10 @@ is "and compares each with neither bumper nor links" awk -F'|' '/^[*][*]/ { on =
     on && /^\| [12] \|/ { n++; bad += $8 > 6.3 || $6 < $8 || $10 > 1 }
     END { exit n < 2 || bad }' "$tmp/suite/report.md"
 sed '/^  records:/d; /^  signs:/d' presets/$scene.yaml >"$tmp/p.yaml"
+is "periods" gives 0 building $scene --quiet
+is "are those without the links, and it is said" shows '^T1, T2, T3: periods of each without the links$'
+is "not where there are none" sh -c "! '$THUD' building towers | grep -q 'without the links'"
+is "in a report, too" grep -q 'Structures from left to right; T1, T2, T3: periods of each without the links' "$tmp/suite/report.md"
 is "that of one motion is made" gives 0 report "$tmp/p.yaml" -o "$tmp/one" --quiet
 is "and tells of the link" grep -q '^- Link 1, A.4-B.4 (spring), [^:]*: largest force' "$tmp/one/report.md"
 

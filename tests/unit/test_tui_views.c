@@ -599,20 +599,28 @@ END_TEST
 START_TEST(linked_buildings_have_modes_of_both)
 {
     char text[40], number[24];
-    fixture_keys(&f, "<Size 250x60>:link add 1<Enter>:set links.1.stiffness 50 MN/m<Enter>1r");
+    fixture_keys(&f, "<Size 250x60>1r");
+    fixture_expect_not(&f, "linked T");
+    fixture_keys(&f, ":link add 1<Enter>:set links.1.stiffness 50 MN/m<Enter>1r");
     for (int before = 0; before < 2; before++) { /* behind the runs, one of which has no links, and before them */
         const struct thud_model *model = thud_tui_model(f.tui);
         double total = 0.0;
         ck_assert_int_eq(model->structure[0].modes, 5);
         for (int i = 0; i < 5; i++)
             total += model->mass_kg[i];
-        snprintf(text, sizeof text, "M*%7.1f ", 100.0 * model->gamma[0] * model->gamma[0] / total);
+        snprintf(text, sizeof text, " linked M*%8.1f ", 100.0 * model->gamma[0] * model->gamma[0] / total);
         fixture_expect(&f, text); /* of the mass of both */
         for (int j = 0; j < 5; j++) {
             snprintf(text, sizeof text, "%d: %s s", j + 1,
                      thud_tui_number(2.0 * THUD_PI / model->omega[model->structure[0].first_mode + j], number));
             fixture_expect(&f, text);
         }
+        snprintf(text, sizeof text, " linked T %8s ",
+                 thud_tui_number(2.0 * THUD_PI / model->omega[model->structure[0].first_mode], number));
+        fixture_expect(&f, text);
+        snprintf(text, sizeof text, ": A (1 of 2) T1 %s s",
+                 thud_tui_number(2.0 * THUD_PI / model->structure[0].omega[0], number));
+        fixture_expect(&f, text); /* its own */
         thud_tui_forget_run(f.tui);
         thud_tui_draw(f.tui);
     }

@@ -20,7 +20,9 @@ static void add_structure_rows(struct site *site)
     static const char *const kinds[] = {
         "shear building",        "rigid body",        "isolated building", "wall", "building by its matrix",
         "building by its modes", "estimated building"};
-    thud_document_table(d, "Structures from left to right");
+    thud_document_table(d, site->scene->nlinks > 0
+                               ? "Structures from left to right; T1, T2, T3: periods of each without the links"
+                               : "Structures from left to right");
     thud_document_head(d, "structure|kind|storeys|height m|mass t|damping %|T1 s|T2 s|T3 s");
     for (int s = 0; s < site->scene->nstructures; s++) {
         const struct thud_structure *p = &site->scene->structure[s];

@@ -88,41 +88,41 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         snprintf(text, size, "no structure");
 }
 
-/* Periods and effective masses. */
+/* Periods and effective masses; of linked buildings those of all together, while the title has the building's own. */
 static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int s)
 {
     const struct thud_model *model = thud_tui_model(tui);
     if (!model || s >= model->nstructures || model->structure[s].n == 0)
         return y;
     const struct thud_model_structure *structure = &model->structure[s];
-    const double total = thud_model_mass_of_system(model, s);
-    char periods[160] = " T", masses[160] = " M*", number[24];
-    for (int j = 0; j < structure->modes && j < (pane->w - 6) / 8; j++) {
-        double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
+    const struct thud_look look = thud_look(THUD_ROLE_MUTED, 0);
+    const bool row = y + 1 == pane->h && structure->modes > 1; /* one is left: as many modes as have room in it */
+    bool linked = false;
+    for (int k = 0; k < model->nstructures; k++)
+        linked |= k != s && model->structure[k].system == structure->system;
+    char number[24], text[64], periods[160] = " T", masses[160] = " M*";
+    int at = row && linked ? 1 + thud_pane_put(pane, 1, y, look, "linked ") : 1, shown = 0;
+    if (linked)
+        strcpy(periods, " linked T "), strcpy(masses, " linked M*");
+    for (int j = 0; j < structure->modes && (row || j < (pane->w - 6) / 8 - linked); j++) {
+        const double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
         if (!(omega > 0.0))
             continue;
-        thud_append(periods, sizeof periods, "%8s", thud_tui_number(2.0 * THUD_PI / omega, number));
-        thud_append(masses, sizeof masses, "%*.1f", masses[3] ? 8 : 7, 100.0 * gamma * gamma / total);
+        const char *period = thud_tui_number(2.0 * THUD_PI / omega, number);
+        const double percent = 100.0 * gamma * gamma / thud_model_mass_of_system(model, s);
+        snprintf(text, sizeof text, "T%d %s s %.1f %%", j + 1, period, percent);
+        if (row && at + thud_utf8_columns(text) > pane->w)
+            break;
+        at += row ? 2 + thud_pane_put(pane, at, y, look, text) : 0;
+        thud_append(periods, sizeof periods, "%8s", period);
+        thud_append(masses, sizeof masses, "%*.1f", shown++ || linked ? 8 : 7, percent);
     }
-    if (strlen(periods) < 4)
-        return y;
-    strncat(periods, " s", sizeof periods - strlen(periods) - 1);
-    strncat(masses, " %", sizeof masses - strlen(masses) - 1);
-    if (y + 1 == pane->h && structure->modes > 1) { /* one row is left: as many modes as have room in it */
-        int at = 1;
-        for (int j = 0; j < structure->modes; j++) {
-            double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
-            char text[64];
-            snprintf(text, sizeof text, "T%d %s s %.1f %%", j + 1, thud_tui_number(2.0 * acos(-1.0) / omega, number),
-                     100.0 * gamma * gamma / total);
-            if (!(omega > 0.0) || at + thud_utf8_columns(text) > pane->w)
-                break;
-            at += 2 + thud_pane_put(pane, at, y, thud_look(THUD_ROLE_MUTED, 0), text);
-        }
-        return y + 1;
-    }
-    thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_MUTED, 0), periods);
-    thud_pane_put(pane, 0, y + 1, thud_look(THUD_ROLE_MUTED, 0), masses);
+    if (shown == 0 || row)
+        return y + row;
+    thud_append(periods, sizeof periods, " s");
+    thud_append(masses, sizeof masses, " %%");
+    thud_pane_put(pane, 0, y, look, periods);
+    thud_pane_put(pane, 0, y + 1, look, masses);
     return y + 2;
 }
 
