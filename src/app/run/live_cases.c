@@ -323,6 +323,14 @@ const struct thud_history *thud_live_motions(const struct thud_live *live, enum 
     return c->state == THUD_LIVE_DONE && kept_of(live->history, which) ? thud_run_history(c->run) : NULL;
 }
 
+const struct thud_live_case *thud_live_failed(const struct thud_live *live)
+{
+    for (int i = 0; i < THUD_LIVE_CASES; i++)
+        if (live->which[i].state == THUD_LIVE_FAILED)
+            return &live->which[i];
+    return NULL;
+}
+
 bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which)
 {
     return live->which[which].state == THUD_LIVE_RUNNING && live->which[which].old;

@@ -89,6 +89,8 @@ const struct thud_history *thud_live_motions(const struct thud_live *live, enum 
 /* What a case found, NULL unless it is DONE. */
 const struct thud_result *thud_live_result(const struct thud_live *live, enum thud_live_which which);
 
+/* The first case that failed; NULL: none. */
+const struct thud_live_case *thud_live_failed(const struct thud_live *live);
 /* Whether what a case shows is still that of before the last change. */
 bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which);
 

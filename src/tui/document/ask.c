@@ -69,6 +69,13 @@ void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err)
     tui->said.status = err->status == THUD_USAGE ? THUD_INPUT : err->status; /* a line is no command line */
 }
 
+bool thud_tui_succeeded(struct thud_tui *tui, enum thud_status status, const struct thud_error *err)
+{
+    if (status != THUD_OK)
+        thud_tui_say_error(tui, err);
+    return status == THUD_OK;
+}
+
 void thud_tui_hush(struct thud_tui *tui)
 {
     tui->said.text[0] = '\0';

@@ -115,9 +115,8 @@ void thud_tui_follow(struct thud_tui *tui)
 
 const struct thud_live *thud_tui_compared(const struct thud_tui *tui)
 {
-    for (int i = 0; i < THUD_LIVE_CASES; i++)
-        if (tui->run.live.which[i].state == THUD_LIVE_FAILED)
-            return NULL; /* nothing to compare: a number beside it would be taken for its own */
+    if (thud_live_failed(&tui->run.live))
+        return NULL; /* nothing to compare: a number beside it would be taken for its own */
     return thud_base_live(&tui->base, &tui->doc);
 }
 

@@ -119,10 +119,8 @@ bool thud_tui_choose_record(struct thud_tui *tui, const char *file)
              *tui->doc.scene.record.file ? tui->doc.scene.record.file : "none", *file ? file : "none");
     if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
-    if (status != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui, status, &err))
         return false;
-    }
     thud_tui_log(tui, "record %s", file);
     thud_tui_follow(tui);
     if (tui->doc.record)
@@ -239,10 +237,8 @@ void thud_tui_all_floors(struct thud_tui *tui)
 static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what, const char *words)
 {
     struct thud_error err;
-    if (thud_doc_change(&tui->doc, next, what, &err) != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui, thud_doc_change(&tui->doc, next, what, &err), &err))
         return;
-    }
     thud_tui_log(tui, "%s", words);
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s (u undoes)", what);
 }

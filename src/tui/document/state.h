@@ -279,6 +279,8 @@ static inline const char *thud_tui_case_name(const struct thud_tui *tui, enum th
 /* ask.c: the only place that changes what is said, what is asked, and whether the screen is drawn. */
 void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...) THUD_PRINTF(3, 4);
 void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err);
+/* Returns whether something succeeded; else says its error. */
+bool thud_tui_succeeded(struct thud_tui *tui, enum thud_status status, const struct thud_error *err);
 /* An error in the terminal's words, what is quoted of a long text shortened. */
 const char *thud_tui_error_text(const struct thud_error *err, char *text, size_t size);
 void thud_tui_hush(struct thud_tui *tui);

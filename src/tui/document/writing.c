@@ -187,11 +187,11 @@ static bool start(struct thud_tui *tui, const struct thud_shelved *item, int cou
     if (count == 1 && format == THUD_PNG)
         screen = thud_tui_picture_screen(tui);
     tui->files.screen = tui->screen;
-    if (thud_picture_work_start(figure, count, folder, format, tui->options.gnuplot, &screen, &tui->files.work, &err) !=
-        THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui,
+                            thud_picture_work_start(figure, count, folder, format, tui->options.gnuplot, &screen,
+                                                    &tui->files.work, &err),
+                            &err))
         return false;
-    }
     tui->backend->also = thud_picture_work_fd(tui->files.work);
     tui->files.done = 0;
     tui->files.count = count;

@@ -66,10 +66,8 @@ void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
     memcpy(next.title, tui->doc.scene.title, sizeof next.title);
     next.study = tui->doc.scene.study;
     next.document = tui->doc.scene.document;
-    if (thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui, thud_doc_change(&tui->doc, &next, what, &err), &err))
         return;
-    }
     thud_tui_log(tui, "design %s", text);
     thud_tui_say(tui, THUD_ROLE_GOOD, "This is design %s (u undoes)", text);
 }
@@ -119,10 +117,8 @@ static bool name_design(struct thud_tui *tui, struct thud_design *d, const char 
         thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\": a name that neither a design nor a preset here has", name);
         return false;
     }
-    if (thud_preset_save(tui->doc.preset, d->scene, path, &err) != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui, thud_preset_save(tui->doc.preset, d->scene, path, &err), &err))
         return false;
-    }
     snprintf(d->name, sizeof d->name, "%s", name);
     thud_tui_say(tui, THUD_ROLE_GOOD, "This design is %s now, and saved as %s", name, path);
     return true;
@@ -229,11 +225,11 @@ static void change_motions(struct thud_tui *tui, struct list *list)
         thud_tui_say(tui, THUD_ROLE_WARN, "The study has no ground motions: Space on Record puts them together");
         return;
     }
-    if (thud_doc_motions(&tui->doc, tui->doc.scene.study.records, tui->doc.scene.study.both_signs, &list->records,
-                         &err) != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui,
+                            thud_doc_motions(&tui->doc, tui->doc.scene.study.records, tui->doc.scene.study.both_signs,
+                                             &list->records, &err),
+                            &err))
         return;
-    }
     list->motions = list->records.n;
     list->next = 0;
     for (int i = 0; i < tui->designs.n; i++)

@@ -7,14 +7,6 @@
 #include "tui/loop/loop.h"
 #include "tui/loop/verdict.h"
 
-static bool any_failed(const struct thud_tui *tui)
-{
-    for (int i = 0; i < THUD_LIVE_CASES; i++)
-        if (tui->run.live.which[i].state == THUD_LIVE_FAILED)
-            return true;
-    return false;
-}
-
 /* Returns the column it starts at. */
 static int run_status(struct thud_tui *tui, const struct thud_pane *row)
 {
@@ -39,7 +31,7 @@ static int run_status(struct thud_tui *tui, const struct thud_pane *row)
     } else if (tui->run.revision != tui->doc.revision) {
         snprintf(text, sizeof text, "not run: r runs ");
         role = THUD_ROLE_WARN;
-    } else if (any_failed(tui)) {
+    } else if (thud_live_failed(&tui->run.live)) {
         snprintf(text, sizeof text, "FAILED ");
         role = THUD_ROLE_ERROR;
     } else {

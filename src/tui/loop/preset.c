@@ -145,10 +145,8 @@ static void recover(struct thud_tui *tui, const char *path)
         status = thud_doc_change(&tui->doc, &next, "recovered changes", &err);
     }
     thud_preset_free(preset);
-    if (status != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui, status, &err))
         return;
-    }
     snprintf(tui->doc.kept, sizeof tui->doc.kept, "%s", path);
     thud_tui_say(tui, THUD_ROLE_GOOD, "Recovered: w saves, u undoes");
 }

@@ -307,16 +307,14 @@ static void end_live_run(struct thud_tui *tui)
         thud_tui_draw(tui); /* what is seen is what is written */
     if (action != THUD_DO_NOTHING && !thud_tui_cannot(tui, action))
         thud_tui_act(tui, action);
-    for (int i = 0; i < THUD_LIVE_CASES; i++) {
-        const struct thud_live_case *c = &tui->run.live.which[i];
-        if (c->state != THUD_LIVE_FAILED)
-            continue;
+    const struct thud_live_case *c = thud_live_failed(&tui->run.live);
+    if (c) {
+        const enum thud_live_which which = (enum thud_live_which)(c - tui->run.live.which);
         char text[600], when[40] = "";
         if (c->run)
             snprintf(when, sizeof when, " at t = %.4g s", c->failed_s);
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s)%s: %s", thud_tui_case_name(tui, (enum thud_live_which)i),
-                     when, thud_tui_error_text(&c->error, text, sizeof text));
-        return;
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s)%s: %s", thud_tui_case_name(tui, which), when,
+                     thud_tui_error_text(&c->error, text, sizeof text));
     }
 }
 

@@ -76,10 +76,8 @@ void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
             ? thud_error_set(&err, THUD_USAGE, "thud %s here takes fewer than %d words", command->name, WORDS_MAX)
             : thud_command_work_start(tui->options.program, word, &tui->files.command, &err);
     thud_text_clear(&copy);
-    if (status != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui, status, &err))
         return;
-    }
     tui->backend->also = thud_command_work_fd(tui->files.command);
     tui->files.screen = tui->screen;
     tui->files.asked_for = tui->doc.revision;

@@ -46,12 +46,10 @@ static void draw_line(const struct thud_pane *pane, int y, const struct thud_hel
     int role = line->kind == THUD_HELP_HEAD ? THUD_ROLE_TITLE : THUD_ROLE_PLAIN;
     thud_pane_put(pane, 0, y, thud_look(role, line->kind == THUD_HELP_HEAD ? THUD_BOLD : 0), line->text);
     if (line->key > 0) {
-        char key[sizeof line->text];
         int n = 0;
         for (const char *at = line->text; n < line->key && *at; n++)
             thud_utf8_next(&at);
-        snprintf(key, sizeof key, "%.*s", n, line->text);
-        thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), key);
+        thud_pane_print(pane, 0, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), "%.*s", n, line->text);
     }
     for (int at = 0; *word && (at = thud_help_line_find(line, word, at)) >= 0; at++) {
         char before[sizeof line->text], match[96];

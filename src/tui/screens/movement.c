@@ -200,9 +200,7 @@ static void draw_scale(const struct stage *stage, const struct thud_pane *row)
         return;
     for (int x = 0; x <= cells; x++)
         thud_pane_glyph(row, x, 0, look, x == 0 ? 0x251c : x == cells ? 0x2524 : 0x2500);
-    char text[48];
-    snprintf(text, sizeof text, "%g mm across", 1e3 * length);
-    thud_pane_put(row, cells + 2, 0, look, text);
+    thud_pane_print(row, cells + 2, 0, look, "%g mm across", 1e3 * length);
 }
 
 static void draw_box(struct stage *stage, double x0, double y0, double x1, double y1, struct thud_look look)
