@@ -27,6 +27,44 @@ static bool on_a_screen(const char *path)
     return false;
 }
 
+/* Left of every value that is seen there is a blank, a rule or the cursor, and no letter of its label. */
+static void labels_stand_apart(void)
+{
+    enum { CURSOR = 0x25b8, RULE = 0x2500 };
+    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(f.tui);
+    const int n = thud_tui_view(f.tui)->layout(f.tui, area, rect), screen = (int)f.tui->screen;
+    for (int i = 0; i < f.tui->form.n; i++) {
+        const struct thud_field *field = &f.tui->form.field[i];
+        const bool alone = thud_tui_one_pane(f.tui);
+        if (field->kind != THUD_FIELD_VALUE || field->beside || field->pane >= n ||
+            (alone && field->pane != f.tui->form.pane[screen]))
+            continue;
+        const struct thud_rect *at = alone ? &area : &rect[field->pane];
+        const int x = at->x + field->x, y = at->y + 1 + field->y - f.tui->form.scroll[screen][field->pane];
+        if (field->x > at->w - 3 || y <= at->y || y >= at->y + at->h - 1)
+            continue;
+        const struct thud_cell *cell = f.tui->canvas.cell + y * f.tui->canvas.width + x;
+        ck_assert_msg(cell->glyph == ' ' || cell->glyph == CURSOR || cell->glyph == RULE || cell[1].glyph == ' ',
+                      "%s at %dx%d: %c stands before it", field->path, f.tui->canvas.width, f.tui->canvas.height,
+                      (int)cell->glyph);
+    }
+}
+
+static void apart_at_any_size(void)
+{
+    static const char *const sizes[] = {"<Size 80x24>", "<Size 130x40>", "<Size 100x30>",
+                                        "<Size 40x10>", "<Size 60x18>",  "<Size 200x60>"};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        char keys[40];
+        for (int screen = 1; screen <= 6; screen++)
+            for (int down = 0; down < 2; down++) {
+                snprintf(keys, sizeof keys, "%s<A-%d>%s", sizes[i], screen, down ? "<End>" : "<Home>");
+                fixture_keys(&f, keys);
+                labels_stand_apart();
+            }
+    }
+}
+
 /* Goes to the field as `/` does, and finds the cursor on it. */
 static bool has_field(const char *path)
 {
@@ -93,6 +131,7 @@ START_TEST(every_key_of_the_schema)
             fixture_keys(&f, line);
         }
         ck_assert_msg(f.tui->said.role != THUD_ROLE_ERROR, "%s: %s", kinds[k].kind, f.tui->said.text);
+        apart_at_any_size();
         look_for(THUD_GROUP_STRUCTURE, "structures.1.", &structure);
         for (int i = 0; i < THUD_NESTED_GROUPS; i++) {
             snprintf(line, sizeof line, "structures.1.%s.", thud_group_key(thud_nested_group(i)));

@@ -24,18 +24,26 @@ void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *p
     if (m > 0 && n > m + 1 && strcmp(text + n - m, param->unit) == 0)
         text[n - m - 1] = '\0';
     char fitted[200];
-    thud_utf8_fit(*text ? text : "-", w, fitted, sizeof fitted);
+    thud_utf8_fit(*text ? text : "-", w - !unit, fitted, sizeof fitted); /* the columns of a table stand apart */
     if (focus)
         thud_pane_glyph(pane, x - 1, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
     thud_pane_put(pane, unit ? x : x + w - thud_utf8_columns(fitted), y,
                   thud_look(THUD_ROLE_VALUE, focus ? THUD_REVERSE : 0), fitted);
 }
 
+void thud_field_labelled(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y, const char *label,
+                         int value_x, int w, const char *key)
+{
+    char fitted[128];
+    thud_pane_put(pane, x, y, thud_look(THUD_ROLE_PLAIN, 0),
+                  thud_utf8_fit(label, value_x - x - 1, fitted, sizeof fitted));
+    thud_field_value(tui, index, pane, value_x, y, w > 4 ? w : 4, key, true);
+}
+
 void thud_field_row(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, const char *label,
                     const char *key)
 {
-    thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), label);
-    thud_field_value(tui, index, pane, 1 + LABEL, y, pane->w - LABEL - 2 > 6 ? pane->w - LABEL - 2 : 6, key, true);
+    thud_field_labelled(tui, index, pane, 1, y, label, 1 + LABEL, pane->w - LABEL - 2, key);
 }
 
 int thud_field_rows(struct thud_tui *tui, int index, const struct thud_pane *pane, int y,

@@ -6,7 +6,9 @@
 /* The value of a key of the scene in `w` columns; `unit` false leaves the table's unit out (a heading has it). */
 void thud_field_value(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y, int w,
                       const char *key, bool unit);
-/* A label and the value of a key behind it in one row. */
+/* A label at x and the value of a key at value_x, which a blank is before; likewise in a row of its own. */
+void thud_field_labelled(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y, const char *label,
+                         int value_x, int w, const char *key);
 void thud_field_row(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, const char *label,
                     const char *key);
 /* Likewise keys of the interface shown, a row each from `y` on; what its laws have not is left out. Returns the row

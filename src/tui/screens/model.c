@@ -326,7 +326,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"isolator.yield", "yields at", LEAD_RUBBER, 7, WIDE},
         {"isolator.radius", "radius", PENDULUM, 5, WIDE},
         {"isolator.friction", "friction", PENDULUM, 6, WIDE},
-        {"isolator.yield", "elastic displacement", PENDULUM, 7, WIDE},
+        {"isolator.yield", "elastic up to", PENDULUM, 7, WIDE},
         ON_SOIL("vs", "soil Vs", 0, LEFT),
         ON_SOIL("mass", "on", 0, RIGHT),
         ON_SOIL("density", "density", 1, LEFT),
@@ -358,8 +358,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         char key[THUD_PATH_MAX];
         int room = field[i].x == 1 && field[i].value == 9 ? 9 : pane->w - field[i].value - 1;
         snprintf(key, sizeof key, "structures.%d.%s", s + 1, field[i].key);
-        thud_pane_put(pane, field[i].x, y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
-        thud_field_value(tui, index, pane, field[i].value, y, room > 4 ? room : 4, key, true);
+        thud_field_labelled(tui, index, pane, field[i].x, y, field[i].label, field[i].value, room, key);
         rows = y + 1 > rows ? y + 1 : rows;
     }
     return rows;
@@ -472,11 +471,10 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
                      faint = thud_look(THUD_ROLE_MUTED, 0);
     draw_building(&dots, &e, structure, thud_structure_bends(structure, m), look);
     for (int j = 0; j < m->modes && BUILDING + (j + 1) * SHAPE <= area.w; j++) {
-        char text[32], number[24];
+        char number[24];
         draw_shape(&dots, &e, structure, m, j, look);
-        snprintf(text, sizeof text, "%d: %s s", j + 1,
-                 thud_tui_number(2.0 * THUD_PI / model->omega[m->first_mode + j], number));
-        thud_pane_put(pane, 1 + BUILDING + j * SHAPE, pane->h - 1, faint, text);
+        thud_pane_print(pane, 1 + BUILDING + j * SHAPE, pane->h - 1, faint, "%d: %s s", j + 1,
+                        thud_tui_number(2.0 * THUD_PI / model->omega[m->first_mode + j], number));
     }
     thud_dots_put(&dots);
     thud_dots_clear(&dots);

@@ -32,10 +32,8 @@ static bool keep(struct thud_tui *tui, char vary[THUD_VARY_MAX][THUD_VARY_TEXT])
     enum thud_status status = thud_study_vary_keep(vary, &next, &err);
     if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
-    if (status != THUD_OK) {
-        thud_tui_say_error(tui, &err);
+    if (!thud_tui_succeeded(tui, status, &err))
         return false;
-    }
     thud_tui_log(tui, "%s", words);
     return true;
 }
@@ -139,8 +137,7 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
         if (!*study->records && (strcmp(key, "signs") == 0 || strcmp(key, "events") == 0) && !study->both_signs &&
             !*study->events)
             continue;
-        thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
-        thud_field_value(tui, index, pane, LABEL, y++, pane->w - LABEL - 1, field[i].key, true);
+        thud_field_labelled(tui, index, pane, 1, y++, field[i].label, LABEL, pane->w - LABEL - 1, field[i].key);
     }
     if (cases)
         thud_field_note(pane, y++, "by default, cases %s", cases);
