@@ -99,6 +99,10 @@ if [ -w /dev/full ]; then
     "$THUD" --play plain >/dev/full 2>err
     is "a full standard output: exit status 6" [ $? -eq 6 ]
     is "with the system's reason" grep -q '^thud: standard output: No space left on device$' err
+    printf 'open towers\nset gap 12 kN\n' >full
+    "$THUD" --play full >/dev/full 2>err
+    is "also where a line is refused" [ $? -eq 6 ]
+    is "both are said" grep -q '^full:2: gap: "12 kN" is a force; .*; standard output: No space left on device' err
     printf 'open towers\nshow /dev/full\n' >full
     is "a screen onto a full disk" gives 6 --play full
     is "is refused with line, file and reason" says '^full:2: /dev/full: .*No space left on device$'

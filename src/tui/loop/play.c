@@ -101,9 +101,10 @@ enum thud_status thud_tui_play(const struct thud_tui_options *options, struct th
         return status;
     thud_tui_normal(tui); /* neither a form nor a question */
     status = thud_tui_play_lines(tui, options->play, &out, err);
-    enum thud_status printed = thud_text_print(&out, status == THUD_OK ? err : NULL);
-    if (status == THUD_OK)
-        status = printed;
+    struct thud_error lost = {0};
+    const enum thud_status printed = thud_text_print(&out, &lost);
+    if (printed != THUD_OK && err) /* which ends it, also behind a line that was refused */
+        thud_append(err->what, sizeof err->what, "%s%s", status == THUD_OK ? "" : "; ", lost.what);
     thud_tui_free(tui);
-    return status;
+    return printed == THUD_OK ? status : printed;
 }
