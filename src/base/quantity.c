@@ -211,3 +211,17 @@ void thud_quantity_format(double value_si, const char *unit, char *text, size_t 
     place_point(mantissa, exponent - found.shift, number, sizeof number);
     snprintf(text, size, "%s%s%s", value_si == 0 ? "0" : number, unit && *unit ? " " : "", unit ? unit : "");
 }
+
+const char *thud_quantity_said(const char *text, char said[96])
+{
+    enum { TYPED = 9, SAID = 6 };
+    const char *end;
+    char digits[TEXT_MAX], number[32];
+    double value;
+    long last;
+    if (strlen(text) >= TEXT_MAX || thud_number_parse(text, &end, &value) != 0 ||
+        digits_of(text, (size_t)(end - text), digits, &last) <= TYPED)
+        return text;
+    snprintf(said, 96, "%s%.60s", thud_digits(value, SAID, number), end);
+    return said;
+}

@@ -42,6 +42,7 @@ is "with usual values" [ "$(sed -n '/^links:/,$s/^ *- *//p; /^links:/,$s/^    *\
 printf 'set gap 0.3 ft\nundo\nset contact.stiffness 1.7 kip/in\n' >feet
 is "values in other units" gives 0 towers --play feet
 is "come back as the decimals that they are" shows '^Undone: gap 10 cm -> 9.144 cm$'
+is "those that are no short ones are rounded" sh -c "printf 'set contact.stiffness 1.7 kip/in\nundo\n' >kip && '$THUD' towers --play kip | grep -qx 'Undone: contact.stiffness 2500 kN/mm -> 0.297716 kN/mm'"
 is "and are called as they were typed" shows '^! stiffness 1.7 kip/in is unusual '
 
 printf 'open towers\nshow\nshow screen.svg\nshow no/screen.svg\n' >shot

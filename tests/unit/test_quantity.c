@@ -312,6 +312,23 @@ START_TEST(numbers_without_exponents)
 }
 END_TEST
 
+/* Values in sentences: as they were typed, unless a factor between units has made more digits of them. */
+START_TEST(long_numbers_are_said_short)
+{
+    static const char *const said[][2] = {{"0.29771561991900986 MN/m", "0.297716 MN/m"},
+                                          {"595.4312398380196 MN/m", "595.431 MN/m"},
+                                          {"-1234567.125000000001 N", "-1234567 N"},
+                                          {"1.23456789 cm", "1.23456789 cm"},
+                                          {"9.144 cm", "9.144 cm"},
+                                          {"[0.29771561991900986 m]", "[0.29771561991900986 m]"},
+                                          {"rubber", "rubber"},
+                                          {"", ""}};
+    char text[96];
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+        ck_assert_str_eq(thud_quantity_said(said[i][0], text), said[i][1]);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -323,6 +340,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, bare_numbers_take_the_unit_given_for_them);
     tcase_add_test(tests, nothing_has_no_sign);
     tcase_add_test(tests, numbers_without_exponents);
+    tcase_add_test(tests, long_numbers_are_said_short);
     tcase_add_test(tests, digits_are_never_lost);
     tcase_add_test(tests, values_of_other_units_are_short);
     tcase_add_test(tests, any_value_reads_back_the_same_in_any_unit);

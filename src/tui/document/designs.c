@@ -48,7 +48,9 @@ struct differences {
 
 static void add(struct differences *d, const char *key, const char *value)
 {
-    thud_append(d->text, d->size, "%s%s%s%s", *d->text ? ", " : "", key, *value ? " " : "", value);
+    char said[96];
+    thud_append(d->text, d->size, "%s%s%s%s", *d->text ? ", " : "", key, *value ? " " : "",
+                thud_quantity_said(value, said));
 }
 
 static void compare(void *context, const char *section, const char *key, const char *value)

@@ -229,7 +229,7 @@ static enum thud_status set_value(struct thud_scene *next, const char *key, cons
 enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char *text, struct thud_error *err)
 {
     struct thud_scene next = doc->scene;
-    char before[96] = "", after[96] = "", what[300];
+    char before[96] = "", after[96] = "", what[300], said[2][96];
     thud_scene_get(&doc->scene, key, before, sizeof before, NULL);
     bring_back_building(doc, &next, key, text);
     enum thud_status status = set_value(&next, key, text, err);
@@ -240,7 +240,8 @@ enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char 
     thud_scene_get(&next, key, after, sizeof after, NULL);
     const char *only = "interfaces.1.";
     bool bare = doc->scene.nstructures == 2 && strncmp(key, only, strlen(only)) == 0;
-    snprintf(what, sizeof what, "%.100s %.60s -> %.60s", bare ? key + strlen(only) : key, before, after);
+    snprintf(what, sizeof what, "%.100s %.60s -> %.60s", bare ? key + strlen(only) : key,
+             thud_quantity_said(before, said[0]), thud_quantity_said(after, said[1]));
     return thud_doc_change(doc, &next, what, err);
 }
 
