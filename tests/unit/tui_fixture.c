@@ -73,6 +73,16 @@ void fixture_write(struct fixture *f, const char *name, const char *text)
     ck_assert_int_eq(fclose(file), 0);
 }
 
+void fixture_lose_motion(struct fixture *f)
+{
+    char keys[200], path[100];
+    snprintf(path, sizeof path, "%s/gone.csv", f->folder);
+    fixture_write(f, "gone.csv", "time_s,acceleration_g\n0,0\n0.1,0.3\n0.2,0\n");
+    snprintf(keys, sizeof keys, ":records %s<Enter>", path);
+    fixture_keys(f, keys);
+    ck_assert_int_eq(remove(path), 0);
+}
+
 void fixture_program(struct fixture *f, char *path, size_t size, const char *script)
 {
     char text[2048];

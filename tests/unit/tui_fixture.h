@@ -33,3 +33,5 @@ void fixture_take_record(struct fixture *f);
 /* A program in place of thud's own that is this shell script; its path. */
 void fixture_program(struct fixture *f, char *path, size_t size, const char *script);
 void fixture_write(struct fixture *f, const char *name, const char *text);
+/* The study's one ground motion becomes gone.csv, which is then taken away. */
+void fixture_lose_motion(struct fixture *f);
