@@ -27,11 +27,12 @@ is "the force is that of thud run" [ "$(awk -v a="$told" -v b="$expect" 'BEGIN {
 is "the study is that of thud sweep" cmp -s sweep.csv tables/towers-sweep.csv
 
 # a line that is refused is bad input; one that cannot write has the status of output
-for line in 'set gap 0' 'records ,,' 'show /dev/full' 'write /dev/full/a.yaml' 'uncertainty -o /dev/full/a --samples 2'; do
+for line in 'set gap 0' 'set record.component rotd50' 'set record.component governs' 'records kobe-surrogate.csv:component=rotd50' 'records ,,' 'show /dev/full' 'write /dev/full/a.yaml' 'uncertainty -o /dev/full/a --samples 2'; do
     case $line in set* | records*) expect=3 ;; *) expect=6 ;; esac
     printf '%s\n' "$line" >refused
     is "$line: a line that is refused" gives "$expect" towers --play refused
     is "has its place" says '^refused:1: '
+    case $line in *component*) is "and is that of a value" says '^refused:1: \(record.component\|study.records\): the other horizontal component of kobe' ;; esac
 done
 
 # a link that is added may have any law, and keeps what the next one has too

@@ -248,9 +248,15 @@ for file in "$tmp/two/three.csv:53 deg from N" "$k:37 deg from E"; do
 done
 is "the other file of a set" peak_is 2.991 "$k" --component NS
 is "which none of them is" gives 3 record info "$k" --component 045
-is "is refused" says "AOM0011801241951.EW: --component: the motion is of component E-W, not 045"
+is "is refused" says "--component: AOM0011801241951.EW is of component E-W, not 045"
 is "a file without a pair" gives 3 record info kobe-surrogate.csv --component rot30
 is "says so" says "component: the other horizontal component of .* is not found"
+sed 's/^  file: kobe-surrogate.csv/&\n  component: rotd50/' presets/towers.yaml >"$tmp/turned.yaml"
+for command in run gap "report -o $tmp/none"; do
+    # shellcheck disable=SC2086 # several words
+    is "a preset that has one of two alone: $command" gives 3 $command "$tmp/turned.yaml"
+    is "is told its place" says '/turned.yaml:[0-9]*:14: record.component: the other horizontal component of kobe-surrogate.csv is not found (a file of both, '
+done
 is "rotd50 without a period" gives 3 record info "$k" --component rotd50
 is "asks for it" says "period: rotd50 needs the period"
 is "nor is it made of words" gives 3 record info "$k" --component rotated

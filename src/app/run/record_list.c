@@ -226,6 +226,7 @@ static enum thud_status read_one(const struct thud_session *session, const struc
     enum thud_status status = thud_paths_record(&session->paths, session->preset_path, choice.file, path, size, err);
     if (status == THUD_OK)
         status = thud_motion_read(&session->scene, path, &choice, out, err);
+    thud_session_place_component(session, scene->record.component, status, err);
     if (status == THUD_OK)
         snprintf((*out)->file, sizeof(*out)->file, "%s", choice.file);
     return status;
@@ -447,9 +448,11 @@ static enum thud_status add_item(struct reading *r, struct thud_scene *scene, co
     look_beside(r->session, scene->record.file, sizeof scene->record.file);
     if (thud_path_is_folder(scene->record.file))
         return r->look ? THUD_OK : add_folder(r, scene, err);
-    if (r->look)
-        return thud_paths_record(&r->session->paths, r->session->preset_path, scene->record.file, path, sizeof path,
-                                 err);
+    if (r->look) {
+        const enum thud_status status =
+            thud_paths_record(&r->session->paths, r->session->preset_path, scene->record.file, path, sizeof path, err);
+        return status == THUD_OK ? thud_motion_look(&r->session->scene, path, &scene->record, err) : status;
+    }
     return thud_record_is_list(scene->record.file) ? add_list(r, scene, err) : add_file(r, scene, own, err);
 }
 

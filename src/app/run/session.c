@@ -164,6 +164,42 @@ enum thud_status thud_motion_read(const struct thud_scene *scene, const char *pa
     return status == THUD_OK ? thud_record_file_read(path, choice, out, err) : status;
 }
 
+/* A reason that is about the direction, with the key of a scene. */
+static bool is_of_component(enum thud_status status, struct thud_error *err)
+{
+    if (status != THUD_INPUT || strcmp(err->key, "component") != 0)
+        return false;
+    thud_error_key(err, "record.component");
+    return true;
+}
+
+enum thud_status thud_motion_look(const struct thud_scene *scene, const char *path,
+                                  const struct thud_record_choice *choice, struct thud_error *err)
+{
+    struct thud_record_choice own = *choice;
+    struct thud_record *record = NULL;
+    struct thud_error why = {0};
+    if (!*own.component)
+        return THUD_OK;
+    if (strcmp(own.component, THUD_COMPONENT_GOVERNS) == 0) /* which is one of all, found by many runs */
+        snprintf(own.component, sizeof own.component, "rot0");
+    const enum thud_status status = thud_motion_read(scene, path, &own, &record, &why);
+    thud_record_free(record);
+    if (!is_of_component(status, &why))
+        return THUD_OK;
+    if (err)
+        *err = why;
+    return status;
+}
+
+void thud_session_place_component(const struct thud_session *session, const char *component, enum thud_status status,
+                                  struct thud_error *err)
+{
+    if (err && is_of_component(status, err) && session->preset &&
+        strcmp(component, thud_preset_scene(session->preset)->record.component) == 0)
+        thud_preset_place(session->preset, "record.component", err); /* the preset says so, no option */
+}
+
 enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err)
 {
     struct thud_record_choice choice = session->scene.record;
@@ -179,6 +215,7 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
     if (status == THUD_OK && choice.file[0])
         status = path[0] ? thud_motion_read(&session->scene, path, &choice, &session->record, err)
                          : copy_given(session->given, &choice, &session->record, err);
+    thud_session_place_component(session, asked.component, status, err);
     if (status == THUD_OK)
         status = thud_scene_check_motion(&session->scene, session->record, err);
     if (status != THUD_OK) {

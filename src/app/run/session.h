@@ -44,6 +44,14 @@ void thud_session_choose_record(struct thud_session *session, const char *file);
  * rotd50 and rotd100, the periods of a target, the governing direction. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_motion_read(const struct thud_scene *scene, const char *path, struct thud_record_choice *choice,
                                   struct thud_record **out, struct thud_error *err);
+/* Gives the error of a motion that has not this direction the key record.component and, if the preset has that value,
+ * its place there. */
+void thud_session_place_component(const struct thud_session *session, const char *component, enum thud_status status,
+                                  struct thud_error *err);
+/* Looks whether the recording at `path` has the direction that is chosen, where one is. Errors: THUD_INPUT with the key
+ * record.component; another reason for which it cannot be read is none. */
+enum thud_status thud_motion_look(const struct thud_scene *scene, const char *path,
+                                  const struct thud_record_choice *choice, struct thud_error *err);
 
 /* Reads the scene's ground motion where it is not the one in hand. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err);

@@ -101,11 +101,9 @@ static enum thud_status read_two(const char *path, const struct thud_record_choi
     }
     each.part = 0;
     status = thud_record_companion(path, two[0], &each, other, sizeof other, &two[1], err);
-    if (status == THUD_OK && !two[1]) {
+    if (status == THUD_OK && !two[1])
         status = thud_error_refuse(err, THUD_INPUT, "component", "a file of both, or two that are named alike",
-                                   "the other horizontal component of \"%.40s\" is not found", two[0]->component);
-        thud_error_place(err, path, 0, 0);
-    }
+                                   "the other horizontal component of %.60s is not found", thud_path_name(path));
     return status;
 }
 

@@ -337,11 +337,9 @@ static enum thud_status take_component(const char *path, const struct thud_recor
     enum thud_status status = thud_record_companion(path, *record, &own, beside, sizeof beside, &other, err);
     if (status == THUD_OK && (!other || !thud_component_is(other->component, choice->component))) {
         thud_record_free(other);
-        status =
-            thud_error_refuse(err, THUD_INPUT, "component", "its own, or that of a file named like it",
-                              "the motion is of component %.40s, not %.30s", (*record)->component, choice->component);
-        thud_error_place(err, path, 0, 0);
-        return status;
+        return thud_error_refuse(err, THUD_INPUT, "component", "its own, or that of a file named like it",
+                                 "%.60s is of component %.40s, not %.30s", thud_path_name(path), (*record)->component,
+                                 choice->component);
     }
     if (status == THUD_OK) {
         thud_record_free(*record);

@@ -181,6 +181,10 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
     enum thud_status status = thud_scene_check(next, err);
     if (status == THUD_OK)
         status = thud_words_check(next, err);
+    char path[512];
+    if (status == THUD_OK && strcmp(next->record.component, doc->scene.record.component) != 0 &&
+        thud_paths_record(doc->paths, doc->path, next->record.file, path, sizeof path, NULL) == THUD_OK)
+        status = thud_motion_look(next, path, &next->record, err);
     if (status == THUD_OK && *next->study.records && strcmp(next->study.records, doc->scene.study.records) != 0)
         status = thud_doc_motions(doc, next->study.records, false, NULL, err);
     if (status == THUD_OK)
