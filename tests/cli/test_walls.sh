@@ -56,6 +56,13 @@ is "call no soil a link" [ "$(grep -c 'Largest link force' "$tmp/out") $(grep -c
 is "draw every case's soil, and none for the link" [ "$(sed -n "s/^set label 90 '\([^,]*\), .*/\1/p; s/^plot \(.P.S.*\)/\1/p" "$tmp/beside/hysteresis.gp" | sed 's/ using[^$]*//g' | tr '\n' ' ')" = 'west moat-ground $P1S2$P1S3$P1S1 east-ground $P2S2$P2S3$P2S1 ' ]
 is "and a study takes its force" gives 0 fragility "$tmp/p.yaml" --to 12s --vary record.factor=0.5,1 --records northridge-surrogate.csv,kobe-surrogate.csv --event link:1kN --csv --quiet --no-figures
 is "which stays below a kilonewton" [ "$(awk -F, '/^link/ { n += $6; rows++ } END { print n, rows }' "$tmp/out")" = "0 2" ]
+rubber="$(for i in 1 2; do printf -- '--set interfaces.%d.bumper.%s ' $i law=rubber $i thickness=10cm; done)"
+# shellcheck disable=SC2086 # several words
+is "cases of a scene whose walls give" gives 0 run $scene --to 12s --cases none,bumper --quiet $rubber
+is "show their deflections, which are no drifts of storeys" sh -c "grep -A2 '^west moat, deflection, mm$' '$tmp/out' | grep -q '^    -  *[0-9]' && ! grep -q 'moat, interstorey' '$tmp/out' && ! sed -n '/ drifts of storeys /,/[.]$/p' '$tmp/out' | grep -q moat"
+# shellcheck disable=SC2086 # several words
+is "and a report" gives 0 report $scene --to 12s --samples 0 --no-simplify --no-pdf --quiet -o "$tmp/report" $rubber
+is "counts the storeys of the building" grep -q '^| effect of the bumper | .* of 7 floor accelerations and [0-4] of 4 storey drifts' "$tmp/report/report.md"
 is "in JSON too" gives 0 run $scene --json --quiet
 is "by wall and law" shows '"ends": "west moat-ground", "law": "backfill"'
 is "and the scene" shows '"backfill": {"stiffness": "304.5 MN/m", "strength": "4890 kN", "ratio": "0.7"'

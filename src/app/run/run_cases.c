@@ -127,8 +127,9 @@ static const struct thud_result *result_of(const struct thud_run_cases *cases, i
     return thud_run_result(cases->item[i].solution.run);
 }
 
-/* Peaks that are compared, a table each: of floors, of the storeys below them, and of what is below a base slab. */
-enum peak { ACCELERATION, DRIFT, ISOLATOR, PEAKS };
+/* Peaks that are compared, a table each: of floors, of the storeys below them, and of what has no storeys, isolators
+ * and walls. */
+enum peak { ACCELERATION, DRIFT, ISOLATOR, DEFLECTION, PEAKS };
 
 static double peak(const struct thud_run_cases *cases, int i, int structure, int floor, enum peak of)
 {
@@ -144,7 +145,16 @@ static int rows_of(const struct thud_run_cases *cases, int structure, enum peak 
     const struct thud_structure *p = &cases->item[0].scene.structure[structure];
     const int floors = result_of(cases, 0)->structure[structure].floors, slabs = thud_structure_first_storey(p);
     *first = of == DRIFT ? slabs : 0;
-    return of == ISOLATOR ? slabs : of == DRIFT && p->kind == THUD_RIGID ? 0 : floors - *first;
+    switch (of) {
+    case ISOLATOR:
+        return slabs;
+    case DRIFT:
+        return thud_kind_is_building(p->kind) ? floors - slabs : 0;
+    case DEFLECTION:
+        return p->kind == THUD_WALL ? floors : 0;
+    default:
+        return floors;
+    }
 }
 
 /* Index of case `none`; 0 where it was not asked for. */
@@ -178,7 +188,7 @@ static void make_peaks(const void *of, int i, void *out)
     const struct thud_run_cases *cases = p->cases;
     struct peak_row *row = out;
     const int s = p->structure, floor = p->first + p->n - 1 - i, none = without(cases);
-    row->number = p->of == ISOLATOR ? THUD_NO_COUNT : p->n - i;
+    row->number = p->of == ACCELERATION || p->of == DRIFT ? p->n - i : THUD_NO_COUNT;
     for (int c = 0; c < cases->n; c++) {
         row->value[c] = peak(cases, c, s, floor, p->of);
         row->ratio[c] = ratio(row->value[c], peak(cases, none, s, floor, p->of));
@@ -188,7 +198,7 @@ static void make_peaks(const void *of, int i, void *out)
 static void put_structure(const struct thud_run_cases *cases, int s, enum peak of, struct thud_text *out)
 {
     static const char *const heading[] = {"total acceleration, m/s2", "interstorey drift, mm",
-                                          "isolator displacement, mm"};
+                                          "isolator displacement, mm", "deflection, mm"};
     struct peaks peaks = {.cases = cases, .structure = s, .of = of};
     int none = without(cases), n = 1;
     const char *numbered = of == ACCELERATION ? "floor" : "";
