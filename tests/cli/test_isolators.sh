@@ -73,6 +73,7 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "among no storeys" sh -c "tr -s '\n ' '  ' <'$tmp/out' | grep -q 'the drifts of storeys isolated [1-4] (' && ! grep -q 'isolated base' '$tmp/out'"
     is "and slabs by their name" sh -c " tr -s '\n ' '  ' <'$tmp/out' | grep -q 'and isolated at the base slab, '"
     is "a report" gives 0 report isolated-pendulum --to 8s --samples 0 --no-simplify --no-pdf -o "$tmp/rep" --quiet
+    is "names isolators in tables that have them" [ "$(grep -c '^\*\*Table.* of the storeys of isolated and of its isolators[, ]' "$tmp/rep/report.md")" = 3 ]
     is "gives the storeys no ductility of the isolators" sh -c "! grep -q 'largest ductility' '$tmp/rep/report.md'"
     is "one with limits" gives 0 report isolated-pendulum --to 8s --samples 0 --no-simplify --no-pdf --limit drift=5cm --limit isolator=20cm --limit isolator-permanent=1mm -o "$tmp/limits" --quiet
     is "judges storeys and isolators by their own" [ "$(sed -n 's/^| \(largest drift\|largest isolator displacement\|permanent isolator displacement\) | [^|]*| \([0-9.]*\) .*/\2/p' "$tmp/limits/report.md" | tr '\n' ' ')" = "$("$THUD" run isolated-pendulum --to 8s --csv --quiet | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $1 == "isolated" && $2 == 1 { i = $c["drift_m"]; p = $c["permanent_m"] } $1 == "isolated" && $2 > 1 && $c["drift_m"] > d { d = $c["drift_m"] } END { printf "%.3g %.3g %.3g ", 1e3 * d, 1e3 * i, 1e3 * (p < 0 ? -p : p) }')" ]

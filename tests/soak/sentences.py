@@ -257,7 +257,7 @@ def check_report(scene, names, needed):
             of, gaps = needs_of(case, needed, gaps), gaps + 1
         of["impacts"] = [sum(c["impacts"] for c in case["contacts"])]
         wrong += [w for w in not_of(" ".join(of), re.sub(r", \S+ % of the height", "", line), of) if not w.startswith("no key")]
-    for key, name, unit, rows in re.findall(r"Largest (acceleration|drift) of the (?:floors|storeys) of (.*), (g|mm) \(a: .*\n\n.*\n.*\n((?:\|.*\n)+)", text):
+    for key, name, unit, rows in re.findall(r"Largest (acceleration|drift) of the (?:floors|storeys) of (.*?)(?: and of its isolators)?, (g|mm) \(a: .*\n\n.*\n.*\n((?:\|.*\n)+)", text):
         key = {"acceleration": "acceleration_mps2", "drift": "drift_m"}[key]
         for label, *shown in re.findall(r"^\| (\d+|isolators)[^|]* \|" + r" ([^|]*) \|" * len(cases), rows, re.M):
             for case, cell in zip(cases, shown):

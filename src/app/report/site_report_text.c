@@ -216,10 +216,12 @@ static void add_case_table(struct site *site, int s, int which)
 {
     const struct floor_table *table = &floor_table[which];
     struct thud_document *d = &site->document;
-    char caption[THUD_NAME_MAX + 96];
+    char name[2 * THUD_NAME_MAX], caption[2 * THUD_NAME_MAX + 96];
     if (table->storeys && !thud_site_is_building(site, s))
         return;
-    snprintf(caption, sizeof caption, table->caption, thud_site_name(site, s));
+    const int slab = table->storeys ? thud_structure_first_storey(&site->scene->structure[s]) : 0;
+    snprintf(name, sizeof name, "%s%s", thud_site_name(site, s), slab > 0 ? " and of its isolators" : "");
+    snprintf(caption, sizeof caption, table->caption, name);
     thud_site_case_table(site, caption, SITE_FREE);
     thud_document_cell(d, "%s", table->row);
     for (int i = 0; i < site->ncases; i++)
@@ -229,7 +231,6 @@ static void add_case_table(struct site *site, int s, int which)
     thud_document_row(d);
     for (int f = site->cases[0].result->structure[s].floors - 1; f >= 0; f--) {
         double value[SITE_CASES];
-        const int slab = table->storeys ? thud_structure_first_storey(&site->scene->structure[s]) : 0;
         if (f < slab)
             thud_document_cell(d, "isolators");
         else if (f == 0 && site->scene->structure[s].kind == THUD_ISOLATED)
