@@ -27,9 +27,11 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     ok "what is guessed is marked and said" $?
     ! grep -q '^links' "$tmp/a.yaml" && "$THUD" run "$tmp/a.yaml" --quiet >"$tmp/out" 2>&1
     ok "no damper is written for no, and the file runs" $?
-    answered "$tmp/b.yaml" lead-rubber shear 4 6 "$masses" '300 t' '600 MN/m' '0.9 s' '' '' '' '' '5 cm' no no no
+    answered "$tmp/b.yaml" lead-rubber shear 4 6 "$masses" '300 t' '600 MN/m' '0.9 s' '' '' '' '' '5 cm' no no '500 kN s/m'
     grep -q '^    period: 0.9 s' "$tmp/b.yaml" && "$THUD" building "$tmp/b.yaml" | grep -q '^B: T1 0.9 s'
     ok "a first period is one of the preset" $?
+    grep -q '^    from: A.5$' "$tmp/b.yaml" && grep -q '^    to: B.4$' "$tmp/b.yaml"
+    ok "a damper is between floors of one level: of an isolated building the slab is the first" $?
     # 5 % of the weight of 5 x 302.5 t
     grep -q 'strength: 741.6 kN' "$tmp/b.yaml"
     ok "bearings are those of the floors in a list" $?

@@ -234,6 +234,20 @@ START_TEST(a_foundation_is_typed)
 }
 END_TEST
 
+/* A new link is between the highest floors that can touch, whatever their numbers. */
+START_TEST(a_link_is_added_between_floors_that_meet)
+{
+    const struct thud_link *link = &scene()->link[0];
+    fixture_keys(&f, ":structures.1.kind=isolated<Enter>:link add 1<Enter>");
+    ck_assert_str_eq(link->from, "A.3");
+    ck_assert_str_eq(link->to, "B.2");
+    fixture_keys(&f, "u:structures.1.kind=wall<Enter>:structures.1.height=0 m<Enter>:structures.2.kind=isolated<Enter>"
+                     ":link add 1<Enter>");
+    ck_assert_str_eq(link->from, "A");
+    ck_assert_str_eq(link->to, "B.1");
+}
+END_TEST
+
 /* So do those of a wall that gives, with the soil behind it: none of them alone is a scene. */
 START_TEST(a_wall_that_gives_is_typed)
 {
@@ -409,6 +423,7 @@ Suite *thud_suite(void)
     tcase_add_test(edit, soft_bounds_warn);
     tcase_add_test(edit, plus_and_minus_step);
     tcase_add_test(edit, a_foundation_is_typed);
+    tcase_add_test(edit, a_link_is_added_between_floors_that_meet);
     tcase_add_test(edit, a_wall_that_gives_is_typed);
     tcase_add_test(edit, a_floor_for_all_floors);
     tcase_add_test(edit, undo_goes_all_the_way_and_says_what);

@@ -147,7 +147,7 @@ void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, 
     put(right, strlen(right), preset->text[row][1]);
 }
 
-/* The topmost storey that both have; 0: one of them has none. */
+/* The topmost storey that both have, above which floors of an isolated building are one more; 0: one has none. */
 static int common_floor(const struct thud_new_preset *preset)
 {
     int common = THUD_STOREYS_MAX;
@@ -295,7 +295,8 @@ static void damper(const struct thud_new_preset *preset, struct thud_text *out)
     thud_text_append(out,
                      "links:\n  - law: spring\n    from: A.%d\n    to: B.%d\n"
                      "    stiffness: 0 MN/m # above 0 for a tie\n    damping: %s\n",
-                     floor, floor, damping);
+                     floor + is_isolated(preset->text[THUD_NEW_KIND][0]),
+                     floor + is_isolated(preset->text[THUD_NEW_KIND][1]), damping);
 }
 
 static enum thud_status structure(const struct thud_new_preset *preset, int side, struct thud_text *out,

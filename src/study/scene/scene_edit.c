@@ -169,18 +169,26 @@ static void name_end(const struct thud_structure *structure, int floor, char end
         snprintf(end, THUD_NAME_MAX + 8, "%s", name);
 }
 
+/* Between the highest floors that can touch; where none do, between those of the same number. */
 static bool add_link(struct thud_scene *scene, int number, int unused, char *what, size_t size)
 {
     (void)unused;
     if (!has_interface(scene, number) || scene->nlinks == THUD_LINKS_MAX)
         return false;
     const struct thud_structure *left = &scene->structure[number - 1], *right = left + 1;
-    const int a = thud_structure_floors(left), b = thud_structure_floors(right);
+    struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
+    int a = thud_structure_floors(left), b = thud_structure_floors(right);
+    const int n = thud_interface_contact_pairs(scene, number - 1, pair);
+    if (a > 1 && b > 1)
+        a = b = a < b ? a : b;
+    for (int i = 0; i < n; i++)
+        if (pair[i].struck == 0)
+            a = pair[i].left_floor, b = pair[i].right_floor;
     struct thud_link *link = &scene->link[scene->nlinks++];
     thud_link_init(link, THUD_LINK_DASHPOT);
     thud_usual_link(link);
-    name_end(left, b > 1 && b < a ? b : a, link->from);
-    name_end(right, a > 1 && a < b ? a : b, link->to);
+    name_end(left, a, link->from);
+    name_end(right, b, link->to);
     snprintf(what, size, "a dashpot ties %s and %s", link->from, link->to);
     return true;
 }
