@@ -114,6 +114,11 @@ is "and compares each with neither bumper nor links" awk -F'|' '/^[*][*]/ { on =
     on && /^\| [12] \|/ { n++; bad += $8 > 6.3 || $6 < $8 || $10 > 1 }
     END { exit n < 2 || bad }' "$tmp/suite/report.md"
 sed '/^  records:/d; /^  signs:/d' presets/$scene.yaml >"$tmp/p.yaml"
+# without pounding the links act in the terminal and beside cases that have them, and not beside cases without
+printf 'show\n' >"$tmp/show"
+free() { "$THUD" run towers-linked --cases "$1" --quiet 2>"$tmp/err" | awk '/^A, total acceleration/ { getline; print; getline; print $2 }' | sed 's/  as written.*//; s/  neither.*//' | tr -s ' \n' ' '; }
+is "no pounding is told from no pounding with the links" [ "$(free as-written)/$(free none)" = 'floor no pounding, links act 18.05 /floor no pounding 20.22 ' ]
+is "in the terminal, too" sh -c "'$THUD' towers-linked --play '$tmp/show' | awk '/Peaks  *only links  *neither  *both/ { n++ } n && / A accel / { n++; exit !(\$5 == 18.0) } END { exit n != 2 }'"
 is "periods" gives 0 building $scene --quiet
 is "are those without the links, and it is said" shows '^T1, T2, T3: periods of each without the links$'
 is "not where there are none" sh -c "! '$THUD' building towers | grep -q 'without the links'"

@@ -454,6 +454,8 @@ int thud_scene_measures(const struct thud_scene *scene);
 /* Return the words for a case of a scene with these measures (THUD_HAS_...). Tables and figures use "no bumper",
  * "neither bumper nor links"; sentences use "without the bumper", "with the links and without the bumper". */
 const char *thud_case_title(int measures, enum thud_case which);
+/* Returns the title of the case without pounding, in which the links of the scene act or not. */
+const char *thud_case_free_title(bool links);
 const char *thud_case_phrase(int measures, enum thud_case which);
 /* Returns the subject of what a case does: "bumper", "bumper in a cavity", "links", as written all that the scene has:
  * "bumper and links"; *verb gets the ending of its verb, "s" or "". */

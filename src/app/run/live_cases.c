@@ -18,12 +18,16 @@ _Static_assert(THUD_LIVE_JOBS == THUD_LIVE_CASES + 1, "the cases, and the gap th
 
 const char *thud_live_name(int measures, enum thud_live_which which)
 {
+    if (which == THUD_LIVE_FREE)
+        return thud_case_free_title(measures & THUD_HAS_LINKS);
     return thud_case_title(measures, which == THUD_LIVE_BUMPER ? THUD_CASE_WHOLE : thud_case_compared((int)which));
 }
 
 const char *thud_live_short_name(const struct thud_scene *scene, enum thud_live_which which)
 {
     const int measures = thud_scene_measures(scene);
+    if (which == THUD_LIVE_FREE && scene->nlinks > 0)
+        return "only links";
     if (measures != (THUD_HAS_BUMPER | THUD_HAS_LINKS) || which == THUD_LIVE_FREE)
         return thud_live_name(measures ? measures : THUD_HAS_BUMPER, which); /* a column that is empty has its name */
     return which == THUD_LIVE_NONE ? "neither" : "both";

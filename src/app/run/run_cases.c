@@ -109,7 +109,8 @@ void thud_run_cases_free(struct thud_run_cases *cases)
 
 static const char *title_of(const struct thud_run_cases *cases, int i)
 {
-    return thud_case_title(cases->measures, cases->item[i].which);
+    return cases->item[i].which == THUD_CASE_FREE ? thud_case_free_title(cases->item[i].scene.nlinks > 0)
+                                                  : thud_case_title(cases->measures, cases->item[i].which);
 }
 
 int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source)

@@ -55,6 +55,11 @@ const char *thud_case_title(int measures, enum thud_case which)
     return words_of(measures, which)->title;
 }
 
+const char *thud_case_free_title(bool links)
+{
+    return links ? "no pounding, links act" : thud_case_title(0, THUD_CASE_FREE);
+}
+
 const char *thud_case_phrase(int measures, enum thud_case which)
 {
     return words_of(measures, which)->phrase;

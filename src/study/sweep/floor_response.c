@@ -15,10 +15,9 @@ const char *thud_floor_case_column(int which)
 /* The last is of all that the scene has. */
 const char *thud_floor_case_title(const struct thud_scene *scene, int which)
 {
-    return which == 0 && scene->nlinks > 0
-               ? "no pounding, links act"
-               : thud_case_title(thud_scene_measures(scene),
-                                 which == THUD_FLOOR_CASES - 1 ? THUD_CASE_WHOLE : thud_case_compared(which));
+    return which == 0 ? thud_case_free_title(scene->nlinks > 0)
+                      : thud_case_title(thud_scene_measures(scene),
+                                        which == THUD_FLOOR_CASES - 1 ? THUD_CASE_WHOLE : thud_case_compared(which));
 }
 
 static enum thud_status run_case(struct thud_floor_spectra *s, int which, const struct thud_scene *scene,

@@ -96,9 +96,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     if (index == MOVE)
         thud_moment_title(tui, text, size);
     else if (index == PEAKS)
-        snprintf(text, size, "Peaks%s%s%s%s: no pounding / %s / %s, ratio",
-                 thud_tui_shows_old(tui) ? " before the edit" : "", state(tui)->by_value ? ", largest first" : "", with,
-                 filter, thud_live_short_name(&tui->doc.scene, THUD_LIVE_NONE),
+        snprintf(text, size, "Peaks%s%s%s%s: %s / %s / %s, ratio", thud_tui_shows_old(tui) ? " before the edit" : "",
+                 state(tui)->by_value ? ", largest first" : "", with, filter,
+                 thud_live_short_name(&tui->doc.scene, THUD_LIVE_FREE),
+                 thud_live_short_name(&tui->doc.scene, THUD_LIVE_NONE),
                  thud_live_short_name(&tui->doc.scene, THUD_LIVE_BUMPER));
     else if (index == IMPACTS)
         snprintf(text, size, "Impacts, %s, %s%s%s", thud_tui_case_name(tui, shown(tui)), sort[state(tui)->sort], with,
