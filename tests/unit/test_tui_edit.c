@@ -234,6 +234,17 @@ START_TEST(a_foundation_is_typed)
 }
 END_TEST
 
+/* The effective mass that a law is shown with is that of the lowest floors, the slab and the wall that a run has. */
+START_TEST(laws_are_shown_with_the_masses_of_a_run)
+{
+    fixture_keys(&f, ":structures.1.kind=wall<Enter>:structures.1.mass=27 t<Enter>:structures.2.kind=isolated<Enter>"
+                     ":structures.2.base-mass=100 t<Enter><A-2>");
+    fixture_expect(&f, "eff. mass 21.3 t");         /* 1/(1/27 + 1/100) = 21.26 */
+    fixture_keys(&f, ":structures.1.mass=<Enter>"); /* moves with the ground */
+    fixture_expect(&f, "eff. mass 100 t");
+}
+END_TEST
+
 /* A new link is between the highest floors that can touch, whatever their numbers. */
 START_TEST(a_link_is_added_between_floors_that_meet)
 {
@@ -423,6 +434,7 @@ Suite *thud_suite(void)
     tcase_add_test(edit, soft_bounds_warn);
     tcase_add_test(edit, plus_and_minus_step);
     tcase_add_test(edit, a_foundation_is_typed);
+    tcase_add_test(edit, laws_are_shown_with_the_masses_of_a_run);
     tcase_add_test(edit, a_link_is_added_between_floors_that_meet);
     tcase_add_test(edit, a_wall_that_gives_is_typed);
     tcase_add_test(edit, a_floor_for_all_floors);

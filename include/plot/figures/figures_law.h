@@ -4,7 +4,7 @@
 #include "plot/figure/figure.h"
 #include "study/scene/scene.h"
 
-/* Returns the mass of the lowest floor of structure `s`, kg; infinite for a wall. */
+/* Returns the mass of the lowest floor of structure `s`, kg; infinite for a wall that moves with the ground. */
 double thud_law_mass(const struct thud_scene *scene, int s);
 
 /* Result of two free bodies of the lowest floors' masses that meet at `speed_mps`. */

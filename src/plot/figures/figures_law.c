@@ -9,10 +9,12 @@
 double thud_law_mass(const struct thud_scene *scene, int s)
 {
     const struct thud_structure *structure = &scene->structure[s];
-    return structure->kind == THUD_WALL ? INFINITY : structure->mass_kg[0];
+    if (structure->kind == THUD_WALL)
+        return thud_wall_gives(structure) ? structure->wall_mass_kg : INFINITY;
+    return structure->kind == THUD_ISOLATED ? structure->base_mass_kg : structure->mass_kg[0];
 }
 
-/* Two free bodies of the lowest floors' masses; a wall is a body a million times as heavy. */
+/* Two free bodies of the lowest floors' masses; a wall that moves with the ground is a body a million times as heavy. */
 static struct thud_two_body bodies(const struct thud_scene *scene, int pair, double speed)
 {
     const struct thud_interface *at = &scene->interface[pair];
