@@ -206,7 +206,7 @@ enum thud_status thud_contacts_begin(struct thud_state *state, struct thud_conta
                                      const struct thud_segment *seg, double s, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int c = 0; c < state->model->ncontacts && status == THUD_OK; c++) {
+    for (int c = 0; c < state->model->ncontacts && status == THUD_OK && seg->notes->quiet; c++) {
         const double at = seg->notes->begun[c], time_s = seg->start_s + at * seg->h_s;
         if (!(at >= 0 && at <= s))
             continue;
@@ -238,7 +238,7 @@ enum thud_status thud_contacts_end(struct thud_state *state, struct thud_contact
                                    const struct thud_segment *seg, double s, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int first = 0; first >= 0 && status == THUD_OK;) {
+    for (int first = 0; first >= 0 && status == THUD_OK && seg->notes->quiet;) {
         first = -1;
         for (int c = 0; c < state->model->ncontacts; c++)
             if (thud_segment_ended(seg, c) <= s &&

@@ -382,8 +382,8 @@ static bool goes_deeper(const struct view *v)
 static bool goes_on(const struct view *v)
 {
     const struct thud_contact_state *s = &v->state->contact[v->c];
-    return s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && s->branch.f0_n >= 0 && v->middle[0] > 0 &&
-           goes_deeper(v);
+    return s->mode == THUD_CLOSED && s->phase == THUD_APPROACH && s->branch.f0_n >= 0 && s->branch.k_npm >= 0 &&
+           v->middle[0] > 0 && goes_deeper(v);
 }
 
 double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,
@@ -409,9 +409,11 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
             if (s <= limit && (guard->event == THUD_EVENT_SEPARATION || guard->event == THUD_EVENT_RELEASE) &&
                 ends_quietly(&v, guard->event, s)) {
                 *(guard->event == THUD_EVENT_RELEASE ? &seg->notes->released[c] : &seg->notes->parted[c]) = limit = s;
+                seg->notes->quiet = true;
             } else if (s <= limit && guard->event == THUD_EVENT_ONSET && seg->nodes && seg->nodes->at[c] >= 0 &&
                        goes_deeper(&v)) { /* it was solved for too */
                 seg->notes->begun[c] = s;
+                seg->notes->quiet = true;
             } else if (s < first) {
                 first = s;
                 *contact = c;

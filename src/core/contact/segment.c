@@ -24,6 +24,7 @@
 /* No indentation has been read yet. */
 static void forget(const struct thud_segment *seg, int nrows)
 {
+    seg->notes->quiet = false;
     for (int c = 0; c < nrows; c++) {
         seg->notes->cached[c] = -1;
         seg->notes->released[c] = seg->notes->parted[c] = INFINITY;

@@ -29,6 +29,7 @@ struct thud_segment_notes {
     double *thirds;          /* (nstructures) largest third derivative by s of any floor, where the segment has nodes */
     double *end, end_s;      /* (2 x nmodes) modal state there, and where */
     thud_vec2_aligned *falling; /* (THUD_SEGMENT_TERMS) k (k - 1) (k - 2) */
+    bool quiet;                 /* any of the following are there */
     double *released, *parted;  /* (nrows) s at which a contact does so and nothing else changes; INFINITY: none does */
     double *begun; /* (nrows) the same of one that begins, INFINITY: it may have done; -1: it has no force before */
 };

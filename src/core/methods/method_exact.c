@@ -38,7 +38,7 @@ static bool is_linear(const struct thud_state *state)
 static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
                              struct thud_error *err)
 {
-    if (state->nactive > 0 && !is_linear(state))
+    if (state->nactive > 0 ? !is_linear(state) : own && thud_collocation_awaits(state, own))
         return thud_collocation_step(state, seg, own, err);
     const struct thud_model *m = state->model;
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
@@ -60,12 +60,11 @@ static void committed(const struct thud_state *state, void *own, const struct th
                       bool switched)
 {
     bool onset = false;
-    (void)seg;
     if (!own)
         return;
     for (int c = 0; c < state->model->ncontacts && switched; c++)
         onset |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
-    thud_collocation_committed(state, own, tau_s, switched, onset);
+    thud_collocation_committed(state, own, tau_s, switched, onset, seg->notes->quiet);
 }
 
 const struct thud_method thud_method_exact = {

@@ -39,7 +39,6 @@ static const double begins_below = 1;     /* of the run's tolerance: the force o
 static const double solution_part = 0.01; /* of that, for the solution of the equations */
 static const double series_part = 1e-4;   /* of the run's tolerance, for terms left out of a series */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
-static const double least_error = 1e-5; /* of the tolerance: below it the error says nothing of the next step */
 static const double same_error = 0.95, near_tolerance = 100;
 
 /* The last step: the forces as polynomials over h from the state that it began at. */
@@ -341,13 +340,14 @@ static void forget_switched(const struct thud_state *state, struct thud_collocat
 }
 
 void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *x, double moved_s,
-                                bool switched, bool onset)
+                                bool switched, bool onset, bool quiet)
 {
     x->step.done_s += moved_s;
     x->at_onset = onset;
+    if (switched || quiet)
+        forget_switched(state, x);
     if (!switched)
         return;
-    forget_switched(state, x);
     x->contraction = slowest_contraction;
     x->at_h = 0;
 }
@@ -627,6 +627,14 @@ static bool may_begin(const struct thud_state *state, const struct thud_collocat
            thud_branch_force(b, d, 0, NULL, NULL) <= begins_below * state->tolerance * s->expected_force_n;
 }
 
+bool thud_collocation_awaits(const struct thud_state *state, const struct thud_collocation *x)
+{
+    bool awaits = false;
+    for (int c = 0; c < state->model->ncontacts; c++)
+        awaits = awaits || may_begin(state, x, c);
+    return awaits;
+}
+
 static void find_active(const struct thud_state *state, struct thud_collocation *x)
 {
     int n = 0;
@@ -690,7 +698,7 @@ static void choose_size(struct thud_collocation *x)
 static enum thud_status solve_level(const struct thud_state *state, struct thud_collocation *x, int level,
                                     double tolerance, double *error, struct thud_error *err)
 {
-    const double h = ldexp(x->h_top, -level), least = solution_part * tolerance;
+    const double h = thud_level_step(x->h_top, level), least = solution_part * tolerance;
     *error = INFINITY;
     enum thud_status status = THUD_OK;
     if (x->made_by != x->by || x->made_level != level)
@@ -714,10 +722,13 @@ static enum thud_status solve_level(const struct thud_state *state, struct thud_
 /* The size at which the error would be the tolerance: it falls with h^n. */
 static double next_size(const struct thud_collocation *x, double h, double error, double tolerance)
 {
+    double grown = 1; /* of the error, where the step grows most */
+    for (int i = 0; i < x->by->n; i++)
+        grown *= most_growth / safety;
     if (!isfinite(error))
         return h * unsolved;
-    const double factor = safety * pow(tolerance / thud_larger(error, least_error * tolerance), 1.0 / x->by->n);
-    return h * fmin(most_growth, thud_larger(most_shrink, factor));
+    return h * (error * grown <= tolerance ? most_growth
+                                           : thud_larger(most_shrink, safety * pow(tolerance / error, 1.0 / x->by->n)));
 }
 
 /* What the step that is taken leaves for the next: h its size, `want` the one that was asked for, x->h proposed. */
@@ -746,7 +757,7 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
     start_forces(state, x);
     for (int same = 0;;) {
         const int level = level_for(x, x->h, ahead);
-        const double want = x->h, h = ldexp(x->h_top, -level);
+        const double want = x->h, h = thud_level_step(x->h_top, level);
         const enum thud_status status = solve_level(state, x, level, tolerance, &error, err);
         if (status != THUD_OK)
             return status;

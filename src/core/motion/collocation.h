@@ -20,7 +20,9 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
  * whose line it then follows. Errors: THUD_DIVERGED (no step is small enough), THUD_MEMORY. */
 enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
                                        struct thud_collocation *collocation, struct thud_error *err);
-/* Told after the run committed so much of this segment; `onset`: a contact has just closed, so that the next step has
- * to be short. */
+/* Whether nothing acts, and a contact is expected to begin in the next step, which need not end there. */
+bool thud_collocation_awaits(const struct thud_state *state, const struct thud_collocation *collocation);
+/* Told after the run committed so much of this segment, at whose end or quietly inside a contact has switched; `onset`: a
+ * contact has just closed, so that the next step has to be short. */
 void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *collocation, double moved_s,
-                                bool switched, bool onset);
+                                bool switched, bool onset, bool quiet);

@@ -179,7 +179,7 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
     struct level *level = &x->level[at];
     const struct thud_model *m = x->model;
     const size_t rows = (size_t)m->nrows;
-    const double h = ldexp(x->h_top, -at);
+    const double h = thud_level_step(x->h_top, at);
     bool made = level->pair || THUD_LAY_IN(x->memory, NULL, THUD_PIECE(level->pair, rows * rows),
                                            THUD_PIECE(level->load, rows)) == THUD_OK;
     if (level->terms == 0)
@@ -250,7 +250,7 @@ static inline void unforced_at(struct thud_responses *x, int at, double h, const
 void thud_responses_unforced(struct thud_responses *x, const struct thud_state *state, int at, const int *contact,
                              int n, const thud_vec2 *start, thud_vec2 *out)
 {
-    const double h = ldexp(x->h_top, -at);
+    const double h = thud_level_step(x->h_top, at);
     find_loads(x, state, h);
     if (x->points == 4)
         unforced_at(x, at, h, contact, n, start, out, 4);

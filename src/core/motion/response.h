@@ -2,6 +2,8 @@
  * factors that depend on the step size alone: tables, made when first needed. A motion is an indentation and its rate. */
 #pragma once
 
+#include <stdint.h>
+
 #include "core/contact/contact_state.h"
 #include "core/numerics/vec.h"
 
@@ -10,8 +12,13 @@ struct thud_responses;
 /* Points of a step: n nodes, at which its forces are given, the first at its start, and others behind them. */
 enum { THUD_NODES_MAX = 7, THUD_POINTS_MAX = THUD_NODES_MAX + 2 };
 
-/* point (points); lagrange (n x n): coefficients of the polynomials through the nodes. Steps: h_top / 2^level. Errors:
- * THUD_MEMORY. */
+/* Length of the steps of a level below 64. */
+static inline double thud_level_step(double h_top, int level)
+{
+    return h_top / (double)(UINT64_C(1) << level);
+}
+
+/* point (points); lagrange (n x n): coefficients of the polynomials through the nodes. Errors: THUD_MEMORY. */
 enum thud_status thud_responses_create(const struct thud_state *state, int n, int points, const double *point,
                                        const double *lagrange, double h_top, struct thud_responses **out,
                                        struct thud_error *err);
