@@ -13,7 +13,7 @@
  *     cubic      dt^4/384 B_4 of a value: error of the cubic through values and rates at the ends (Hermite's)
  *     limit      clearance of a contact less the margins of its sides: below it at both ends, the contact stays open
  *
- * Three sieves, each for what the one before lets through: by S alone for the whole block (gap_bound), by the values at
+ * Three sieves, each for what the one before lets through: by S alone for the whole block (swing_of), by the values at
  * the ends of an interval and the margin (find_near), and by the power series of the interval (closes). */
 #include "core/motion/free_vibration_parts.h"
 
@@ -193,14 +193,15 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
     return thud_largest(f->gap, ends);
 }
 
-/* What the modes of the block can bring the sides of contact c together by, each at its largest speed; no number where
- * one of them is a free body's. */
-static double gap_bound(const struct thud_free_vibration *f, const struct thud_model *m, int c)
+/* What the modes of the block can bring the sides of row c together by from their rest, each at its largest speed; no
+ * number where one of them is a free body's. */
+static double swing_of(const struct thud_free_vibration *f, const struct thud_model *m, int c, double *rest)
 {
     const double *g = m->jacobian + c * f->n;
     double sum = 0;
+    *rest = thud_dot(f->n, g, f->shift);
     for (int j = 0; j < f->n; j++)
-        sum += fabs(g[j]) * f->speed[j] / m->omega[j] + g[j] * f->shift[j];
+        sum += fabs(g[j]) * f->speed[j] / m->omega[j];
     return sum;
 }
 
@@ -211,9 +212,9 @@ static bool set_limits(struct thud_free_vibration *f, const struct thud_state *s
     for (int c = 0; c < state->model->ncontacts; c++) {
         const struct thud_model_contact *p = &state->model->contact[c];
         const double limit = thud_state_clearance(state, c) - gap_margin(f, state->model, p);
-        double margin;
+        double margin, rest, swing = swing_of(f, state->model, c, &rest);
         f->limit[c] = INFINITY;
-        if (p->law->flags & THUD_LAW_NO_FORCE || gap_bound(f, state->model, c) <= limit)
+        if (p->law->flags & THUD_LAW_NO_FORCE || swing + rest <= limit)
             continue;
         if (thud_free_vibration_gap(f, state->model, c, intervals + 1, &margin) <= limit)
             continue;
@@ -280,17 +281,22 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
 }
 
 /* The size of the drift of storey k (a link's is of two floors far apart) less what is plastic at the ends into f->gap;
- * returns how large it may be there. */
+ * returns how large it may be there, INFINITY where by the modes' largest speeds it does not come so far. */
 static double fill_drift(struct thud_free_vibration *f, const struct thud_state *state, int k)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_storey *storey = &m->storey[k];
-    double margin;
-    thud_free_vibration_gap(f, m, m->ncontacts + k, f->ends, &margin);
+    const int row = m->ncontacts + k;
+    const double limit =
+        storey->yield_m - (storey->link < 0 ? thud_free_vibration_margin(f, m, storey->structure, THUD_FLOOR_DRIFT)
+                                            : gap_margin(f, m, &m->contact[row]));
+    double margin, rest, swing = swing_of(f, m, row, &rest);
+    if (swing + fabs(rest - state->storey[k].plastic_m) <= limit && state->storey[k].suppressed == 0)
+        return INFINITY;
+    thud_free_vibration_gap(f, m, row, f->ends, &margin);
     for (int t = 0; t < f->ends; t++)
         f->gap[t] = fabs(f->gap[t] - state->storey[k].plastic_m);
-    return storey->yield_m -
-           (storey->link < 0 ? thud_free_vibration_margin(f, m, storey->structure, THUD_FLOOR_DRIFT) : margin);
+    return limit;
 }
 
 /* Of the storey that yields, the rate of its drift inward. */
