@@ -10,6 +10,9 @@
 #include "core/numerics/vec.h"
 
 enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 24, ENDS = THUD_FREE_VIBRATION_ENDS }; /* 2^24/24! is below rounding */
+enum {
+    LOOKS_APART = 4
+}; /* intervals from one look at what ends a block to the next: a look costs as much as half of one */
 
 /* Longest part of the interval that the series are made of, by the fastest rate in it: each doubling adds rounding. */
 static const double longest_rad = 2;
@@ -221,35 +224,46 @@ static inline void some_pairs(const struct thud_coupled_motion *c, int first, co
         thud_vec2_put(sum[i], out + 2 * (first + i));
 }
 
-int thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, double *x,
-                                const double *ground, const double *after, int intervals, int direction)
+/* One by one: pairs would have to wait for what has just been stored alone. */
+static bool stops(const struct thud_coupled_stop *stop, int n, const double *now)
 {
-    const int n = c->n, row = c->first_mode * ENDS;
+    double value = 0;
+    for (int j = 0; j < n; j++)
+        value += stop->row[j] * now[stop->rates ? n + j : j];
+    return value < stop->low || value > stop->high;
+}
+
+int thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, const double *s, double *x,
+                                const double *ground, const double *after, int intervals, struct thud_coupled_stop stop)
+{
+    const int n = c->n, row = c->first_mode * ENDS, apart = stop.row ? LOOKS_APART : intervals;
     double *now = c->now, *next = now + c->size;
     s += c->first_mode;
     for (int j = 0; j < n; j++) {
         now[j] = x[row + j * ENDS] = q[row + j * ENDS] - s[j];
         now[n + j] = qd[row + j * ENDS];
     }
-    for (int t = 0; t < intervals; t++) {
-        int first = 0;
-        now[2 * n] = ground[t];
-        now[2 * n + 1] = after[t] - ground[t];
-        for (; first + 8 <= n; first += 8)
-            some_pairs(c, first, 8, next);
-        for (; first + 6 <= n; first += 6)
-            some_pairs(c, first, 6, next);
-        for (; first + 5 <= n; first += 5)
-            some_pairs(c, first, 5, next);
-        for (; first < n; first++)
-            some_pairs(c, first, 1, next);
-        for (int j = 0, at = row + t + 1; j < n; j++, at += ENDS) {
-            q[at] = next[j] + s[j];
-            qd[at] = now[n + j] = next[n + j];
-            now[j] = x[at] = q[at] - s[j]; /* as it were if the block began here */
+    for (int t = 0, end = apart; t < intervals; end = t + apart) {
+        for (; t < end && t < intervals; t++) {
+            int first = 0;
+            now[2 * n] = ground[t];
+            now[2 * n + 1] = after[t] - ground[t];
+            for (; first + 8 <= n; first += 8)
+                some_pairs(c, first, 8, next);
+            for (; first + 6 <= n; first += 6)
+                some_pairs(c, first, 6, next);
+            for (; first + 5 <= n; first += 5)
+                some_pairs(c, first, 5, next);
+            for (; first < n; first++)
+                some_pairs(c, first, 1, next);
+            for (int j = 0, at = row + t + 1; j < n; j++, at += ENDS) {
+                q[at] = next[j] + s[j];
+                qd[at] = now[n + j] = next[n + j];
+                now[j] = x[at] = q[at] - s[j]; /* as it were if the block began here */
+            }
         }
-        if (c->soft && direction * thud_dot(n, c->soft, now + n) < 0)
-            return t + 1;
+        if (stop.row && stops(&stop, n, now))
+            return t;
     }
     return intervals;
 }

@@ -43,11 +43,19 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
                                           int system, int mode, int storey, struct thud_blocks *memory,
                                           struct thud_error *err);
 
+/* What ends a block early: row . (q - s), or row . q' where it is of rates, outside of these bounds at an end. */
+struct thud_coupled_stop {
+    const double *row; /* (n) NULL: nothing */
+    bool rates;
+    double low, high;
+};
+
 /* Rows of q, qd and of x = q - s of all modes, from the first value of q and qd on, under the ground accelerations at
  * the start and at the end of each interval, and constant forces under which the modes rest at s. Returns how many
- * intervals: a row that yields in `direction` ends them where its rate has turned. */
+ * intervals. */
 int thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, const double *s, double *x,
-                                const double *ground, const double *after, int intervals, int direction);
+                                const double *ground, const double *after, int intervals,
+                                struct thud_coupled_stop stop);
 /* Sums over the first intervals of the same rows, of which the following are made. */
 void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *x, const double *qd,
                              const double *ground, const double *after, int intervals);

@@ -103,6 +103,26 @@ static void fill_speeds(struct thud_free_vibration *f, const struct thud_model *
     }
 }
 
+/* What ends a block of a system early: an isolator that may yield in blocks comes to its bound, or, while it yields, its
+ * rate turns. What lies behind is not read. */
+static struct thud_coupled_stop stop_of(const struct thud_free_vibration *f, const struct thud_state *state, int system)
+{
+    const struct thud_model *m = state->model;
+    for (int k = 0; k < m->nstoreys; k++) {
+        const struct thud_coupled_motion *c = &f->coupled[f->nsystems + k];
+        const int direction = state->storey[k].direction;
+        if (c->size == 0 || m->structure[m->storey[k].structure].system != system)
+            continue;
+        if (direction != 0)
+            return (struct thud_coupled_stop){c->soft, true, direction < 0 ? -INFINITY : 0,
+                                              direction < 0 ? 0 : INFINITY};
+        const double most = m->storey[k].yield_m + 2 * state->touch_m,
+                     middle = state->storey[k].plastic_m - thud_dot(c->n, c->soft, f->shift + c->first_mode);
+        return (struct thud_coupled_stop){c->soft, false, middle - most, middle + most};
+    }
+    return (struct thud_coupled_stop){.row = NULL};
+}
+
 int thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
     shift_modes(f, state);
@@ -119,8 +139,7 @@ int thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_st
     for (int s = 0; s < f->nsystems; s++)
         if (f->coupled[s].size > 0)
             intervals = thud_coupled_motion_advance(thud_free_vibration_motion(f, s), f->q, f->qd, f->shift, f->moved,
-                                                    f->ground, f->after, intervals,
-                                                    f->yields < 0 ? 0 : state->storey[f->yields].direction);
+                                                    f->ground, f->after, intervals, stop_of(f, state, s));
     f->ground_most = thud_larger(thud_largest_size(f->ground, intervals), thud_largest_size(f->after, intervals));
     f->slope = 0;
     for (int t = 0; t < intervals; t++)
