@@ -207,15 +207,15 @@ void thud_free_vibration_spring(const struct thud_free_vibration *f, const struc
                                 const struct thud_model_structure *p, const double *x, const double *v, double *out)
 {
     const struct thud_coupled_motion *c = thud_free_vibration_motion(f, p->system);
-    if (p->damping)
+    const bool couples = p->damping; /* no dashpots of single modes then */
+    if (couples)
         all_rows(p->damping, p->modes, p->modes, v + p->first_mode * ENDS, f->ends, out + p->first_mode * ENDS);
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
-        for (int t = j * ENDS; t < j * ENDS + f->ends; t += 2) { /* rows are long enough */
-            const thud_vec2 place = thud_vec2_at(x + t);
-            thud_vec2_put(p->damping ? -(m->spring[j] * place + thud_vec2_at(out + t)) /* no dashpots of single modes */
-                                     : -(m->spring[j] * (place - f->shift[j]) + m->dashpot[j] * thud_vec2_at(v + t)),
-                          out + t);
-        }
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        const double spring = m->spring[j], by = couples ? 1 : m->dashpot[j], shift = couples ? 0 : f->shift[j];
+        const double *damped = couples ? out : v;
+        for (int t = j * ENDS, end = t + f->ends; t < end; t += 2) /* rows are long enough */
+            thud_vec2_put(-(spring * (thud_vec2_at(x + t) - shift) + by * thud_vec2_at(damped + t)), out + t);
+    }
     if (c->soft)
         soften(f, c, x, out);
 }

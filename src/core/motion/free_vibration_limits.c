@@ -68,13 +68,15 @@ static double make_bound(struct thud_free_vibration *f, const struct thud_model 
     thud_free_vibration_spring(f, m, p, x, v, force);
     for (int t = 0; t < f->ends; t++)
         ground[t] = level * f->ground[t] + slopes * (f->after[t] - f->ground[t]);
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
-        for (int t = 0; t < intervals; t += 2) {
-            const thud_vec2 rate = thud_vec2_at(v + j * ENDS + t),
-                            second = thud_vec2_at(force + j * ENDS + t) - m->gamma[j] * thud_vec2_at(ground + t);
-            thud_vec2_put(second, out + j * ENDS + t);
-            thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        const double gamma = m->gamma[j], spring = m->spring[j];
+        for (int t = 0, at = j * ENDS; t < intervals; t += 2, at += 2) {
+            const thud_vec2 rate = thud_vec2_at(v + at),
+                            second = thud_vec2_at(force + at) - gamma * thud_vec2_at(ground + t);
+            thud_vec2_put(second, out + at);
+            thud_vec2_put(thud_vec2_at(norm + t) + second * second + spring * rate * rate, norm + t);
         }
+    }
     return sqrt(thud_largest(norm, intervals)) + level * ground_size(m, p) * f->dt_s * f->slope;
 }
 
