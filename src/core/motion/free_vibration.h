@@ -99,8 +99,8 @@ double thud_free_vibration_floor_bend(struct thud_free_vibration *f, const struc
 /* How far a quantity of any floor may lie above its values at the ends inside an interval. */
 double thud_free_vibration_margin(struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                   int quantity);
-/* Where damping couples modes, what the size of all modes' velocities, sqrt(sum q'^2), or of their total accelerations,
- * sqrt(sum (q'' + gamma a_g)^2), can come to inside the intervals. */
+/* Where damping couples modes, what the size of all modes' total accelerations, sqrt(sum (q'' + gamma a_g)^2), can come to
+ * inside the intervals, or that of the change of their velocities from the nearest end. */
 double thud_free_vibration_size(struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                 int quantity);
 /* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside

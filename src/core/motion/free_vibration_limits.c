@@ -124,9 +124,8 @@ double thud_free_vibration_margin(struct thud_free_vibration *f, const struct th
 double thud_free_vibration_size(struct thud_free_vibration *f, const struct thud_model *m, int structure, int quantity)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const double *speed = f->speed + p->first_mode, ground = ground_size(m, p) * f->ground_most;
-    return quantity == THUD_FLOOR_VELOCITY ? sqrt(thud_dot(p->modes, speed, speed)) + f->dt_s * ground
-                                           : bound_of(f, m, p->system, 2) + ground;
+    const double second = bound_of(f, m, p->system, 2);
+    return quantity == THUD_FLOOR_VELOCITY ? 0.5 * f->dt_s * second : second + ground_size(m, p) * f->ground_most;
 }
 
 /* Whether contact c closes in the piece of the segment. At the very start of the block a contact may have just opened: so
@@ -301,16 +300,28 @@ static double fill_drift(struct thud_free_vibration *f, const struct thud_state 
     return limit;
 }
 
-/* Of the storey that yields, the rate of its drift inward. */
+/* Of the storey that yields, the rate g . q' of its drift inward. Inside an interval it lies off the chord by dt^2/8 times
+ * its second derivative at most; B_2 bounds q'' and, with B = Omega^2 + kappa g g^T, B^1/2 q', and so
+ *
+ *     |g . q'''| <= (sqrt(g . B g) + |D g|) B_2 + |g . gamma da_g/dt| */
 static double fill_rate(struct thud_free_vibration *f, const struct thud_state *state, int k)
 {
+    const struct thud_model *m = state->model;
     const struct thud_coupled_motion *c = &f->coupled[f->nsystems + k];
+    const struct thud_model_structure *p = &m->structure[m->storey[k].structure];
+    const double *g = c->soft, square = thud_dot(c->n, g, g);
+    double spring = c->soft_npm * square * square, dashpot = 0;
     memset(f->gap, 0, (size_t)f->ends * sizeof *f->gap);
-    for (int j = 0; j < c->n; j++)
+    for (int j = 0; j < c->n; j++) {
+        const double damped = thud_dot(c->n, p->damping + j * c->n, g);
+        spring += m->spring[c->first_mode + j] * g[j] * g[j];
+        dashpot += damped * damped;
         for (int t = 0; t < f->ends; t++)
-            f->gap[t] -= state->storey[k].direction * c->soft[j] * f->qd[(c->first_mode + j) * ENDS + t];
+            f->gap[t] -= state->storey[k].direction * g[j] * f->qd[(c->first_mode + j) * ENDS + t];
+    }
     return -f->dt_s * f->dt_s / 8 *
-           thud_free_vibration_bend(f, state->model, state->model->storey[k].structure, c->soft, 3);
+           ((sqrt(thud_larger(spring, 0)) + sqrt(dashpot)) * bound_of(f, m, p->system, 2) +
+            fabs(thud_dot(c->n, g, m->gamma + c->first_mode)) * f->slope);
 }
 
 /* Intervals until a storey yields, or unloads, at most `intervals`: where an end is past that, no series has to show it. */

@@ -30,33 +30,31 @@ static void bound_modes(struct thud_peaks *peaks, const struct thud_model *m, co
         const double w = m->omega[p->first_mode + j], z = m->dashpot[p->first_mode + j];
         double *out = peaks->modal + j;
         out[THUD_FLOOR_DISPLACEMENT * peaks->stride] = speed[j] / w + fabs(f->shift[p->first_mode + j]);
-        out[THUD_FLOOR_VELOCITY * peaks->stride] = speed[j];
+        out[THUD_FLOOR_VELOCITY * peaks->stride] =
+            f->yields < 0 ? speed[j] : thud_largest_size(f->qd + (p->first_mode + j) * ENDS, f->ends);
         out[THUD_FLOOR_ACCELERATION * peaks->stride] = sqrt(w * w + z * z) * speed[j];
     }
 }
 
 /* What one quantity of the floors can come to inside the intervals, out (stride), two at a time: by the modes, and by how
- * far a value may lie above its ends. Where damping couples modes that bound has its price for rates: these are, by
- * Cauchy and Schwarz, at most the floor's norm over the modes times their size. */
+ * far a value may lie above its ends. Where damping couples modes that bound has its price for rates: the change of a
+ * velocity from the nearest end, and an acceleration, are at most the floor's norm over the modes times their size (Cauchy
+ * and Schwarz). */
 static void bound_floors(const struct thud_peaks *peaks, const struct thud_model *m, struct thud_free_vibration *f,
                          int structure, int quantity, double *out)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const bool drift = quantity == THUD_FLOOR_DRIFT, rate = !drift && quantity != THUD_FLOOR_DISPLACEMENT;
+    const bool drift = quantity == THUD_FLOOR_DRIFT, rate = !drift && quantity != THUD_FLOOR_DISPLACEMENT,
+               by_modes = !p->damping || quantity != THUD_FLOOR_ACCELERATION;
     const int stride = peaks->stride;
     const double *shape = peaks->shape + ((drift ? m->nshapes : 0) + p->first_shape) * stride,
                  *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride,
                  *norm = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof + p->first;
-    if (p->damping && rate) {
-        const double size = thud_free_vibration_size(f, m, structure, quantity);
-        for (int i = 0; i < p->dofs; i++)
-            out[i] = norm[i] * size;
-        return;
-    }
-    const double margin = thud_free_vibration_margin(f, m, structure, quantity);
-    for (int i = 0; i < p->dofs; i += 2) {
-        thud_vec2 sum = {margin, margin};
-        for (int j = 0; j < p->modes; j++)
+    const double size = p->damping && rate ? thud_free_vibration_size(f, m, structure, quantity) : 0,
+                 margin = p->damping && rate ? 0 : thud_free_vibration_margin(f, m, structure, quantity);
+    for (int i = 0; i < p->dofs; i += 2) { /* rows are long enough */
+        thud_vec2 sum = margin + size * thud_vec2_some(norm + i, i + 1 == p->dofs);
+        for (int j = 0; j < p->modes && by_modes; j++)
             sum += modes[j] * thud_vec2_abs(thud_vec2_at(shape + j * stride + i));
         thud_vec2_put(sum, out + i);
     }
