@@ -2,8 +2,10 @@
  * intervals, histories kept, a study with and without its shortcuts.  usage: cross [FIRST [COUNT [WORD]]]    seeds;
  * only the checks with this word in their names.  Seeds from SCENES_WIDE (1000000000) on are wide scenes,
  * those from SCENES_YIELDING (2000000000) on have storeys that yield, those from SCENES_COLUMNS (3000000000) on slabs
- * against columns, some with storeys that yield; from SCENES_MATRICES (6000000000) on buildings by their matrix or modes, from SCENES_SOIL (8000000000) on soil; from SCENES_MIXED (9000000000) on all of it together; from
- * SCENES_COARSE (100000000000) on the same again with samples far apart.  A line for each
+ * against columns, some with storeys that yield; from SCENES_MATRICES (6000000000) on buildings by their matrix or modes,
+ * from SCENES_SOIL (8000000000) on soil; from SCENES_MIXED (9000000000) on all of it together; from SCENES_EQUAL
+ * (10000000000) on the same with most neighbours equal and in touch; from SCENES_COARSE (100000000000) on the same again
+ * with samples far apart.  A line for each
  * disagreement that the scene's own sensitivity does not explain. */
 #include <math.h>
 #include <stdio.h>

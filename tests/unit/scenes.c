@@ -15,7 +15,7 @@
 /* ---- chance: SplitMix64 (Steele, Lea and Flood 2014) ---- */
 
 static unsigned long long state;
-static bool coarse; /* the scene that is drawn is of SCENES_COARSE */
+static bool coarse, equal; /* the scene that is drawn is of SCENES_COARSE, of SCENES_EQUAL */
 
 static unsigned long long next(void)
 {
@@ -328,6 +328,8 @@ static void draw_interface(struct thud_interface *at, double mass, double size_m
     double clearance =
         relative_displacement_m * ONE_OF(0, 1e-6, 0.5, 0.9, 0.999, 1, 1.001, 3, between(0, 1), between(0, 1),
                                          between_log(1e-3, 1), between_log(0.1, 1), between_log(0.1, 1));
+    if (equal && chance(0.75))
+        clearance = 0;
     draw_law(&at->contact, law, mass, size_m);
     at->has_bumper = chance(0.35);
     at->gap_m = fmin(clearance, 4);
@@ -472,7 +474,7 @@ static void give_matrix(struct thud_scene *scene, int index)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    const unsigned long long seed = one->seed % SCENES_COARSE;
+    const unsigned long long seed = one->seed % SCENES_EQUAL;
     const bool mixed = seed >= SCENES_MIXED, soil = mixed ? seed % 3 == 0 : seed >= SCENES_SOIL,
                isolators = mixed || (seed >= SCENES_ISOLATORS && !soil),
                matrices = mixed  ? seed % 7 == 0
@@ -501,7 +503,7 @@ static bool draw(struct scenes_one *one)
     strcpy(scene->name, "drawn");
     scene->nstructures = chance(0.05) ? 1 : chance(0.6) ? 2 : 3 + below(4);
     for (int s = 0; s < scene->nstructures; s++) {
-        bool same = s > 0 && chance(0.12);
+        bool same = s > 0 && chance(equal ? 0.7 : 0.12);
         if (same)
             scene->structure[s] = scene->structure[s - 1];
         else
@@ -546,6 +548,7 @@ void scenes_draw(struct scenes_one *one, unsigned long long seed)
     state = seed * 0xd1342543de82ef95ull + 1;
     next();
     coarse = seed >= SCENES_COARSE;
+    equal = seed % SCENES_COARSE >= SCENES_EQUAL;
     for (bool drawn = false; !drawn;) {
         *one = (struct scenes_one){.seed = seed};
         drawn = draw(one);

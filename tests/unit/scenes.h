@@ -38,6 +38,8 @@ struct scenes_one {
  * yield, the weight on drifting storeys, buildings on soil, slabs against columns; a seed's remainders choose what of it. */
 #define SCENES_MIXED 9000000000ull
 
+/* This and any of those seeds: a like scene of neighbours most of which are equal and touch. */
+#define SCENES_EQUAL 10000000000ull
 /* This and any of those seeds: a like scene whose samples are 0.08 s to 0.6 s apart, with stiffer buildings and softer
  * contacts, which last for up to seconds. */
 #define SCENES_COARSE 100000000000ull

@@ -321,6 +321,37 @@ START_TEST(equal_neighbours_do_not_switch_without_end)
 }
 END_TEST
 
+/* Equal neighbours that touch press on each other with forces of 1e-20 to 1e-4 N, which steps at coarse tolerances do not
+ * resolve: they closed, turned and opened again in each step, up to a refusal. Now they take no more steps than fine
+ * ones. */
+START_TEST(equal_neighbours_rest_on_each_other)
+{
+    static const struct {
+        unsigned long long seed;
+        double tolerance;
+    } known[] = {
+        {SCENES_COARSE + 8011, 1e-3},
+        {SCENES_EQUAL + SCENES_YIELDING + 72, 1e-3},
+        {SCENES_EQUAL + SCENES_YIELDING + 77, 1e-4},
+        {SCENES_EQUAL + SCENES_YIELDING + 89, 1e-4},
+        {SCENES_EQUAL + SCENES_YIELDING + 149, 1e-4},
+        {SCENES_EQUAL + SCENES_LINKS + 37, 1e-3},
+        {SCENES_EQUAL + SCENES_LINKS + 121, 1e-3},
+    };
+    struct scenes_one one;
+    struct scenes_solution fine, coarse;
+    scenes_draw(&one, known[_i].seed);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-7}, &fine);
+    scenes_run(&one, &(struct scenes_options){.tolerance = known[_i].tolerance}, &coarse);
+    ck_assert_msg(coarse.status == THUD_OK, "%s", coarse.err.what);
+    ck_assert_int_eq(fine.status, THUD_OK);
+    ck_assert_msg(coarse.steps <= 1.2 * (double)fine.steps, "%ld steps, and %ld fine ones", coarse.steps, fine.steps);
+    scenes_answer_clear(&coarse);
+    scenes_answer_clear(&fine);
+    scenes_clear(&one);
+}
+END_TEST
+
 /* A force that falls by its branch's damping in 1e-11 s: at the very moment of a turn or of a release its polynomial
  * has the wrong slope, and one state of the contact called for the other without end (2551). */
 START_TEST(stiff_contacts_do_not_chatter)
@@ -439,6 +470,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, guesses_stay_near_the_last_step);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_test(tcase, equal_neighbours_do_not_switch_without_end);
+    tcase_add_loop_test(tcase, equal_neighbours_rest_on_each_other, 0, 7);
     tcase_add_test(tcase, impulses_at_rest_give_no_energy);
     tcase_add_test(tcase, forces_that_jump_at_onset);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 11);

@@ -61,13 +61,16 @@ static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
     s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
 }
 
-/* Suppressed coefficients of a force that has just left 0 to this side: none where a blow has put it beyond. */
+/* Suppressed coefficients of a force that has just left 0 to this side: none where a blow has put it beyond what rounding
+ * leaves. */
 static int force_zeros(const struct thud_state *state, int c, double sign)
 {
     const struct thud_branch *b = &state->contact[c].branch;
     double d = thud_contact_indentation(state, c), v = thud_contact_rate(state, c);
-    double force = thud_branch_force(b, d, v, NULL, NULL), elastic = thud_branch_force(b, d, 0, NULL, NULL);
-    return sign * force > THUD_TOL_FORCE * (elastic - 2 * fmin(b->f0_n, 0)) ? 0 : 1; /* of |f0| + k d + K d^p */
+    double by_d, by_v, force = thud_branch_force(b, d, v, &by_d, &by_v),
+                       elastic = thud_branch_force(b, d, 0, NULL, NULL);
+    double noise = THUD_TOL_FORCE * (elastic - 2 * fmin(b->f0_n, 0)); /* of |f0| + k d + K d^p */
+    return sign * force > noise + thud_row_force_noise(state, c, by_d, by_v) ? 0 : 1;
 }
 
 /* The force has reached 0 and would pull. What is left of the indentation is plastic and widens the clearance permanently,
@@ -168,7 +171,8 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
     case THUD_EVENT_SEPARATION:
         if (s->mode == THUD_CLOSED)
             thud_contact_released(state, log, contact, thud_state_now(state), thud_contact_rate(state, contact));
-        return thud_contact_open(state, log, contact, 1, err);
+        /* a little beyond 0 where an error of its force had it held */
+        return thud_contact_open(state, log, contact, thud_contact_indentation(state, contact) >= -state->touch_m, err);
     case THUD_EVENT_RELEASE:
         return release(state, log, contact, err);
     case THUD_EVENT_REENGAGE:

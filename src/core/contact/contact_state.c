@@ -116,6 +116,15 @@ double thud_row_force(const struct thud_state *state, int row, double d, double 
     return f < 0 && !pulls ? 0 : f;
 }
 
+double thud_row_force_noise(const struct thud_state *state, int row, double fd, double fv)
+{
+    double left, right, left_rate, right_rate;
+    thud_model_sides(state->model, row, state->q, &left, &right);
+    thud_model_sides(state->model, row, state->qd, &left_rate, &right_rate);
+    double d = thud_state_clearance(state, row) + fabs(left) + fabs(right), v = fabs(left_rate) + fabs(right_rate);
+    return THUD_TOL_STATE * (fabs(fd) * d + fabs(fv) * v);
+}
+
 void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground,
                              double *restrict out)
 {

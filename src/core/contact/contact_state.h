@@ -184,6 +184,13 @@ static inline double thud_contact_least_force(const struct thud_state *state, in
            thud_larger(THUD_TOL_GROUND_FORCE * state->ground_mps2, THUD_TOL_LEAST_ACCELERATION_PS2 * state->length_m);
 }
 
+/* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. No units
+ * of its own: the same scene in other ones, or a larger one, comes to rest at the same moment. */
+static inline double thud_rest_speed(const struct thud_state *state)
+{
+    return thud_larger(1e-4 * state->tolerance, THUD_TOL_REST) * state->speed_mps;
+}
+
 /* Kinetic energy of the structures, and what their storeys would give back, J. */
 double thud_state_kinetic(const struct thud_state *state);
 double thud_state_strain(const struct thud_state *state);
@@ -207,6 +214,9 @@ double thud_contact_rate(const struct thud_state *state, int c);
 /* Force of a row (of a contact cut at 0 where the law does not pull) at indentation d and rate v, by its present branch;
  * 0 where it does not follow that. */
 double thud_row_force(const struct thud_state *state, int row, double d, double v);
+/* How far rounding alone may put a force off that has these slopes, by the displacements and rates that an indentation and
+ * its rate are differences of, N. */
+double thud_row_force_noise(const struct thud_state *state, int row, double by_d, double by_v);
 /* Forces of all rows into force (nrows); that of STICKING contacts from the condition d'' = 0. */
 void thud_contact_forces(const struct thud_state *state, double *force);
 /* The same if the force of one contact that does not stick were this. */

@@ -9,6 +9,7 @@
 
 #include "base/largest.h"
 #include "core/numerics/poly.h"
+#include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
 /* Glossary, for contact c and a segment of length h with s = (t - t0)/h.
@@ -104,9 +105,15 @@ static bool line_of(const struct view *v, enum watched watched, struct line *out
     return power ? b->D != 0 && b->p == b->r : !(b->D == 0 && b->c_nspm == 0 && b->f0_n == 0);
 }
 
+/* A force so small that a collocated step says nothing of it; 0 in others. */
+static double unresolved_force(const struct view *v)
+{
+    return v->seg->nodes ? v->state->tolerance * thud_contact_least_force(v->state, v->c) : 0;
+}
+
 /* How far the constraint force of a STICKING contact is from one end of its interval, less what rounding leaves of equal
- * forces, by which neighbours that move alike are held together. Just after it began to stick, a force that is outside
- * by no more than the accuracy of its polynomial is taken to start at the end. */
+ * forces, by which neighbours that move alike are held together, and what a step does not resolve. Just after it began
+ * to stick, a force that is outside by no more than the accuracy of its polynomial is taken to start at the end. */
 static void constraint_function(const struct view *v, bool high, double *out)
 {
     const struct thud_state *state = v->state;
@@ -117,7 +124,7 @@ static void constraint_function(const struct view *v, bool high, double *out)
     out[0] -= high ? s->constraint_high_n : s->constraint_low_n;
     if (side * out[0] > 0 && side * out[0] <= accuracy)
         out[0] = 0;
-    out[0] -= side * mass_kg * thud_contact_rounding(state);
+    out[0] -= side * thud_larger(mass_kg * thud_contact_rounding(state), unresolved_force(v));
 }
 
 /* How fast the state itself changes what a guard watches. */
@@ -148,6 +155,19 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
     if (watched == RATE)
         return s->phase == THUD_APPROACH ? -1 : 1;
     return s->past_ultimate ? -1 : 1;
+}
+
+/* A contact whose force is not resolved turns where its rate is more than rounding: neighbours that move alike would turn
+ * with each step. */
+static void pass_over_rounding(const struct view *v, struct line *line, double *rate, int sign)
+{
+    double left, right;
+    if (thud_row_force(v->state, v->c, thud_contact_indentation(v->state, v->c), 0) > unresolved_force(v))
+        return;
+    thud_model_sides(v->state->model, v->c, v->state->qd, &left, &right);
+    memset(rate, 0, (size_t)line->suppressed * sizeof *rate);
+    rate[0] -= sign * THUD_TOL_RATE * (fabs(left) + fabs(right));
+    line->suppressed = 0;
 }
 
 /* Whether what a guard watches keeps its sign by the bounds of indentation and rate alone: most do. */
@@ -182,6 +202,8 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
         p[k] = line.k * v->d[k] + c * (k + 1) * v->d[k + 1];
     p[n - 1] = line.k * v->d[n - 1];
     p[0] += line.f;
+    if (guard->watched == RATE && v->seg->nodes)
+        pass_over_rounding(v, &line, p, sign);
     if (guard->watched == FORCE || guard->watched == RATE)
         return crossing(v, &line, p, n, s_end, sign);
     if (s->mode == THUD_OPEN && line.suppressed >= n)
@@ -189,16 +211,24 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
     return thud_poly_first_above(p, n, s_end, sign, line.suppressed, s->mode == THUD_OPEN ? v->state->touch_m : 0);
 }
 
-/* Contact onset without speed, and only then pushed together: how many of the lowest orders the accuracy of the contact
- * force does not resolve. What it leaves there would open the contact again, endlessly. */
-static int unresolved(const struct thud_state *state, const double *d, int terms, int suppressed)
+/* Contact onset without speed, and only then pushed together: how many of the lowest orders of d (terms) the accuracy of
+ * the contact force does not resolve. What it leaves there would open the contact again, endlessly. In a collocated step d
+ * gets besides what an error of the force may take off: its polynomial should start at 0, and says nothing of less than
+ * unresolved_force. */
+static int unresolved(const struct view *v, double *d, int suppressed)
 {
-    double largest = 0, resolved = fmax(state->tolerance, THUD_TOL_UNRESOLVED);
+    const int terms = v->seg->terms;
+    const double h = v->seg->h_s, error_n = thud_larger(2 * fabs(v->seg->force[v->c]), unresolved_force(v));
+    double largest = 0, resolved = fmax(v->state->tolerance, THUD_TOL_UNRESOLVED);
     for (int k = 0; k < terms; k++)
         largest = fmax(largest, fabs(d[k]));
     while (suppressed < terms && fabs(d[suppressed]) <= resolved * largest)
         suppressed++;
-    return suppressed < terms ? suppressed : terms - 1;
+    if (!v->seg->nodes)
+        return suppressed < terms ? suppressed : terms - 1;
+    memset(d, 0, (size_t)suppressed * sizeof *d);
+    d[2] += 0.5 * h * h * error_n / v->state->model->contact[v->c].setup.mass_kg;
+    return 2;
 }
 
 /* Sum over the structures on both sides of a contact of what any of their floors comes to. */
@@ -241,13 +271,11 @@ static struct view view_of(const struct thud_state *state, const struct thud_seg
     v.d = thud_segment_read(state, seg, c);
     if (!moved) { /* the contact has just begun or ended */
         if (s->mode == THUD_CLOSED) {
-            if (suppressed > 0) { /* a stiff contact would make a force of what rounding has left there */
-                memcpy(copy, v.d, (size_t)seg->terms * sizeof *copy);
-                memset(copy, 0, (size_t)suppressed * sizeof *copy);
-                v.d = copy;
-            }
+            memcpy(copy, v.d, (size_t)seg->terms * sizeof *copy);
+            memset(copy, 0, (size_t)suppressed * sizeof *copy); /* a stiff contact would make a force of rounding */
+            v.d = copy;
             if (s->suppressed.rate > 0)
-                suppressed = unresolved(state, v.d, seg->terms, suppressed);
+                suppressed = unresolved(&v, copy, suppressed);
             v.suppressed.rate = (int)thud_larger(s->suppressed.rate, suppressed - 1);
         }
         v.suppressed.indentation = (int)thud_larger(s->suppressed.indentation, suppressed);

@@ -17,13 +17,6 @@
  *
  *     u++ = a + W f >= 0,   f >= 0,   complementary */
 
-/* A parting slower than this is taken as the end of a row of ever smaller bounces: the contact comes to rest. No units
- * of its own: the same scene in other ones, or a larger one, comes to rest at the same moment. */
-static double rest_speed(const struct thud_state *state)
-{
-    return fmax(1e-4 * state->tolerance, THUD_TOL_REST) * state->speed_mps;
-}
-
 /* Contacts that take part: the one at onset, those that are held, and those closed to rounding that do not open. */
 static int gather(const struct thud_state *state, int onset, int *set)
 {
@@ -34,7 +27,7 @@ static int gather(const struct thud_state *state, int onset, int *set)
             continue;
         bool in_contact = s->mode == THUD_OPEN &&
                           fabs(thud_contact_indentation(state, c)) <= THUD_TOL_CONTACT * state->length_m &&
-                          thud_contact_rate(state, c) >= -rest_speed(state);
+                          thud_contact_rate(state, c) >= -thud_rest_speed(state);
         if (c == onset || s->mode == THUD_STICKING || in_contact)
             set[n++] = c;
     }
@@ -67,8 +60,8 @@ static enum thud_status impulses(const struct thud_state *state, struct collisio
         double v = x->speed[i] = thud_contact_rate(state, c);
         double e = thud_law_nominal(m->contact[c].law, &m->contact[c].setup);
         bool held =
-            state->contact[c].mode == THUD_STICKING; /* what rate it has is the error of the force that holds it */
-        if (held || !(e * v > rest_speed(state)))    /* or the force would have to bring it to rest at once */
+            state->contact[c].mode == THUD_STICKING;   /* what rate it has is the error of the force that holds it */
+        if (held || !(e * v > thud_rest_speed(state))) /* or the force would have to bring it to rest at once */
             e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)
@@ -116,7 +109,7 @@ static enum thud_status check_energy(const struct thud_state *state, const struc
         const double after = thud_contact_rate(state, x->set[i]), p = 0.5 * x->impulse[i];
         lost += p * (x->speed[i] + after);
         size += p * (fabs(x->speed[i]) + fabs(after));
-        rest += state->model->contact[x->set[i]].setup.mass_kg * pow(rest_speed(state), 2);
+        rest += state->model->contact[x->set[i]].setup.mass_kg * pow(thud_rest_speed(state), 2);
     }
     if (lost >= -THUD_TOL_IMPULSE_ENERGY * size - rest)
         return THUD_OK;
@@ -151,8 +144,8 @@ static bool is_at_rest(const struct thud_state *state, const struct collision *x
 {
     const int c = x->set[i];
     if (x->role[i] == HELD)
-        return change_of_rate(state, x, c) >= -rest_speed(state);
-    return x->role[i] != BESIDE && fabs(thud_contact_rate(state, c)) <= rest_speed(state);
+        return change_of_rate(state, x, c) >= -thud_rest_speed(state);
+    return x->role[i] != BESIDE && fabs(thud_contact_rate(state, c)) <= thud_rest_speed(state);
 }
 
 /* Takes contact i out of the matrix, where it is not held. */
@@ -216,7 +209,7 @@ static enum thud_status hold_or_part(struct thud_state *state, struct thud_conta
     for (int i = 0; i < x->n && status == THUD_OK; i++) {
         const int c = x->set[i];
         const bool held = x->role[i] == HELD || x->role[i] == HELD_AND_STRUCK;
-        const int suppressed = fabs(thud_contact_rate(state, c)) > rest_speed(state) ? 1 : 2;
+        const int suppressed = fabs(thud_contact_rate(state, c)) > thud_rest_speed(state) ? 1 : 2;
         if (x->force[i] >= 0) {
             hold(state, log, c, (enum role)x->role[i], x->force[i]);
         } else if (held) {

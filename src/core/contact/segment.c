@@ -603,6 +603,8 @@ static double term_noise(const struct thud_state *state, bool interpolates, int 
         return state->touch_m;
     double least =
         fmax(THUD_TOL_LEAST_COEFFICIENT * state->length_m, (k == 1 ? THUD_TOL_RATE : THUD_TOL_COEFFICIENT) * size[k]);
+    if (k > 1) /* a sum of modes, each of which follows from the two orders before */
+        least = fmax(least, THUD_TOL_STATE * fmax(size[k - 1], size[k - 2]));
     return interpolates && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
 }
 

@@ -148,17 +148,6 @@ static bool has_just_begun(const struct thud_collocation *x, int a)
     return (*start)[0] < 0.5 * (*end)[0] && (*end)[1] > 0.5 * (*start)[1];
 }
 
-/* How far rounding alone may put a force off, by the displacements and rates that an indentation and its rate are
- * differences of. */
-static double force_noise(const struct thud_state *state, int c, double fd, double fv)
-{
-    double left, right, left_rate, right_rate;
-    thud_model_sides(state->model, c, state->q, &left, &right);
-    thud_model_sides(state->model, c, state->qd, &left_rate, &right_rate);
-    double d = thud_state_clearance(state, c) + fabs(left) + fabs(right), v = fabs(left_rate) + fabs(right_rate);
-    return THUD_TOL_STATE * (fabs(fd) * d + fabs(fv) * v);
-}
-
 /* Difference between the polynomial of contact a's force and the law where i of the checks finds this motion; of one above
  * `small`, what rounding may have made is taken off. */
 static inline double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, int i,
@@ -172,7 +161,7 @@ static inline double force_difference(const struct thud_state *state, const stru
     for (int k = 0; k < n; k++)
         difference -= force[k] * x->by->between[k][i];
     difference = fabs(difference);
-    return difference > small ? difference - force_noise(state, c, by_d, by_v) : difference;
+    return difference > small ? difference - thud_row_force_noise(state, c, by_d, by_v) : difference;
 }
 
 /* Motion of contact a at a point under all forces. */
@@ -524,6 +513,8 @@ static void start_forces(const struct thud_state *state, struct thud_collocation
         thud_contact_motion(state, c, (double *)motion);
         if (thud_row_starts_at_zero(state, c))
             (*motion)[0] = 0;
+        if (thud_row_sticks(state, c) && fabs((*motion)[1]) <= thud_rest_speed(state))
+            (*motion)[1] = 0; /* in a short step a large force would be needed, and another one to end it */
         *begins = (struct beginning){.branch = thud_row_branch(state, c), .sticks = thud_row_sticks(state, c)};
         begins->force =
             begins->sticks ? state->force_now[c] : law_at(begins->branch, *motion, &begins->by_d, &begins->by_v);
