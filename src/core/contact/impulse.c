@@ -55,13 +55,16 @@ static enum thud_status solve(const struct thud_state *state, const struct colli
 static enum thud_status impulses(const struct thud_state *state, struct collision *x, struct thud_error *err)
 {
     const struct thud_model *m = state->model;
+    thud_contact_forces(state, state->force_now);
     for (int i = 0; i < x->n; i++) {
         int c = x->set[i];
         double v = x->speed[i] = thud_contact_rate(state, c);
         double e = thud_law_nominal(m->contact[c].law, &m->contact[c].setup);
         bool held =
-            state->contact[c].mode == THUD_STICKING;   /* what rate it has is the error of the force that holds it */
-        if (held || !(e * v > thud_rest_speed(state))) /* or the force would have to bring it to rest at once */
+            state->contact[c].mode == THUD_STICKING; /* what rate it has is the error of the force that holds it */
+        /* the forces would have to end a slower parting within a moment, or at once */
+        const double slow_mps = THUD_TOL_MOMENT_S * thud_contact_acceleration(state, c, state->force_now);
+        if (held || !(e * v > thud_larger(thud_rest_speed(state), slow_mps)))
             e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)

@@ -211,7 +211,7 @@ static struct thud_energy balance(const struct thud_ledger *l, const struct thud
                             .hysteretic_j = thud_storeys_hysteretic(state, state->q),
                             .gravity_j = gravity};
     double left = e.initial_j + e.input_j + gravity - e.kinetic_j - e.strain_j - e.viscous_j - work - e.hysteretic_j;
-    double largest = fmax(l->largest_j, fmax(e.kinetic_j + e.strain_j - gravity, fabs(e.input_j)));
+    double largest = fmax(l->largest_j, fmax(e.kinetic_j + e.strain_j - gravity, fmax(fabs(e.input_j), gravity)));
     e.error_ratio = largest > 0 || isnan(left) ? fabs(left) / largest : 0;
     return e;
 }
