@@ -215,9 +215,8 @@ int main(int argc, char **argv)
     long count = argc > 2 ? strtol(argv[2], NULL, 10) : 100;
     const unsigned long long only = argc > 3 ? strtoull(argv[3], NULL, 10) : 0;
     for (long i = 0; i < count; i++) {
-        for (int k = 0; k < FAMILIES; k++)
-            if (argc <= 3 || family[k] == only)
-                check(family[k] + first + (unsigned long long)i);
+        for (int k = 0; k < (argc > 3 ? 1 : FAMILIES); k++)
+            check((argc > 3 ? only : family[k]) + first + (unsigned long long)i);
         fflush(stdout);
         if (i % 50 == 49 || i + 1 == count)
             fprintf(stderr,
