@@ -157,16 +157,14 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
     return s->past_ultimate ? -1 : 1;
 }
 
-/* A contact whose force is not resolved turns where its rate is more than rounding: neighbours that move alike would turn
- * with each step. */
-static void pass_over_rounding(const struct view *v, struct line *line, double *rate, int sign)
+/* A contact whose force is not resolved turns where it is faster than at rest: neighbours that move alike would turn with
+ * each step. */
+static void pass_over_rest(const struct view *v, struct line *line, double *rate, int sign)
 {
-    double left, right;
     if (thud_row_force(v->state, v->c, thud_contact_indentation(v->state, v->c), 0) > unresolved_force(v))
         return;
-    thud_model_sides(v->state->model, v->c, v->state->qd, &left, &right);
     memset(rate, 0, (size_t)line->suppressed * sizeof *rate);
-    rate[0] -= sign * THUD_TOL_RATE * (fabs(left) + fabs(right));
+    rate[0] -= sign * thud_rest_speed(v->state);
     line->suppressed = 0;
 }
 
@@ -203,7 +201,7 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
     p[n - 1] = line.k * v->d[n - 1];
     p[0] += line.f;
     if (guard->watched == RATE && v->seg->nodes)
-        pass_over_rounding(v, &line, p, sign);
+        pass_over_rest(v, &line, p, sign);
     if (guard->watched == FORCE || guard->watched == RATE)
         return crossing(v, &line, p, n, s_end, sign);
     if (s->mode == THUD_OPEN && line.suppressed >= n)
