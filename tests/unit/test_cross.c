@@ -340,6 +340,7 @@ START_TEST(equal_neighbours_rest_on_each_other)
         {SCENES_EQUAL + SCENES_YIELDING + 149, 1e-4},
         {SCENES_EQUAL + SCENES_LINKS + 29, 1e-3},
         {SCENES_EQUAL + SCENES_LINKS + 37, 1e-3},
+        {SCENES_EQUAL + SCENES_LINKS + 93, 1e-3},
         {SCENES_EQUAL + SCENES_LINKS + 121, 1e-3},
     };
     struct scenes_one one;
@@ -474,7 +475,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, guesses_stay_near_the_last_step);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_test(tcase, equal_neighbours_do_not_switch_without_end);
-    tcase_add_loop_test(tcase, equal_neighbours_rest_on_each_other, 0, 8);
+    tcase_add_loop_test(tcase, equal_neighbours_rest_on_each_other, 0, 9);
     tcase_add_test(tcase, impulses_at_rest_give_no_energy);
     tcase_add_test(tcase, forces_that_jump_at_onset);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 13);

@@ -158,14 +158,19 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
 }
 
 /* A contact whose force is not resolved turns where it is faster than at rest: neighbours that move alike would turn with
- * each step. */
-static void pass_over_rest(const struct view *v, struct line *line, double *rate, int sign)
+ * each step. One that has just turned does so again where errors of the forces, as they grow from 0, cannot have made it:
+ * a contact that is pressed and hardly moves would turn to and fro. */
+static void pass_over_errors(const struct view *v, struct line *line, double *rate, int sign)
 {
-    if (thud_row_force(v->state, v->c, thud_contact_indentation(v->state, v->c), 0) > unresolved_force(v))
-        return;
-    memset(rate, 0, (size_t)line->suppressed * sizeof *rate);
-    rate[0] -= sign * thud_rest_speed(v->state);
-    line->suppressed = 0;
+    const struct thud_model *m = v->state->model;
+    if (thud_row_force(v->state, v->c, thud_contact_indentation(v->state, v->c), 0) <= unresolved_force(v)) {
+        memset(rate, 0, (size_t)line->suppressed * sizeof *rate);
+        rate[0] -= sign * thud_rest_speed(v->state);
+        line->suppressed = 0;
+    }
+    for (int b = 0; b < m->nrows && (line->suppressed == 1 || line->suppressed == 2); b++)
+        rate[2] -=
+            sign * 0.5 * v->seg->h_s * v->state->tolerance * fabs(m->delassus[v->c * m->nrows + b] * v->seg->force[b]);
 }
 
 /* Whether what a guard watches keeps its sign by the bounds of indentation and rate alone: most do. */
@@ -201,7 +206,7 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
     p[n - 1] = line.k * v->d[n - 1];
     p[0] += line.f;
     if (guard->watched == RATE && v->seg->nodes)
-        pass_over_rest(v, &line, p, sign);
+        pass_over_errors(v, &line, p, sign);
     if (guard->watched == FORCE || guard->watched == RATE)
         return crossing(v, &line, p, n, s_end, sign);
     if (s->mode == THUD_OPEN && line.suppressed >= n)
