@@ -242,14 +242,14 @@ enum thud_status thud_contacts_end(struct thud_state *state, struct thud_contact
                                    const struct thud_segment *seg, double s, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int first = 0; first >= 0 && status == THUD_OK && seg->notes->quiet;) {
-        first = -1;
+    while (status == THUD_OK && seg->notes->quiet) {
+        int first = -1;
         for (int c = 0; c < state->model->ncontacts; c++)
             if (thud_segment_ended(seg, c) <= s &&
                 (first < 0 || thud_segment_ended(seg, c) < thud_segment_ended(seg, first)))
                 first = c;
         if (first < 0)
-            continue;
+            break;
         double *released = &seg->notes->released[first], *parted = &seg->notes->parted[first];
         const bool parts = *parted <= *released;
         status = end(state, log, seg, first, parts ? THUD_EVENT_SEPARATION : THUD_EVENT_RELEASE,

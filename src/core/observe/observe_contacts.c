@@ -21,11 +21,7 @@ static void raise_both(const struct thud_segment *seg, struct thud_peak *peak, d
     raise_to(peak, of_impact, value, seg->start_s + where * seg->h_s);
 }
 
-/* From where and how far a contact lasts in the segment: it may have begun or parted there while nothing switched. */
-static double start_of(const struct thud_observation *o, int c)
-{
-    return thud_larger(0, o->seg->notes->begun[c]);
-}
+/* How far a contact lasts in the segment: it may have ended there before anything switches. */
 static double end_of(const struct thud_observation *o, int c)
 {
     return thud_smaller(o->s, thud_segment_ended(o->seg, c));
@@ -94,7 +90,7 @@ static double pushing_s(const struct thud_observation *o, const struct thud_cont
     const struct thud_state *state = o->state;
     double p[THUD_SEGMENT_TERMS];
     if (!(state->model->contact[of->contact].law->flags & THUD_LAW_PULLS))
-        return (end_of(o, of->contact) - start_of(o, of->contact)) * seg->h_s;
+        return (end_of(o, of->contact) - thud_larger(0, seg->notes->begun[of->contact])) * seg->h_s;
     if (seg->end)
         return of->impulse_ns > 0 ? o->s * seg->h_s : 0;
     const int terms = force_of(o, of->contact, p);
