@@ -75,11 +75,12 @@ static int force_zeros(const struct thud_state *state, int c, double sign)
 
 /* The force has reached 0 and would pull. What is left of the indentation is plastic and widens the clearance permanently,
  * where the law keeps it; else the bodies are still indented and the force may come back. */
-static enum thud_status release(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
+static enum thud_status release(struct thud_state *state, struct thud_contact_log *log, int c, double time_s,
+                                double rate_mps, struct thud_error *err)
 {
     struct thud_contact_state *s = &state->contact[c];
     const struct thud_law *law = thud_contact_law(state, c);
-    thud_contact_released(state, log, c, thud_state_now(state), thud_contact_rate(state, c));
+    thud_contact_released(state, log, c, time_s, rate_mps);
     if (law->keeps_residual && law->keeps_residual(thud_contact_setup(state, c))) {
         s->residual_m += fmax(thud_contact_indentation(state, c), 0);
         log->contact[c].residual_m = s->residual_m;
@@ -88,6 +89,15 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
     thud_contact_set_mode(state, c, THUD_CLOSED_NO_FORCE);
     s->suppressed = (struct thud_suppressed){.force = force_zeros(state, c, -1)};
     return THUD_OK;
+}
+
+/* The state may be beyond d = 0: behind the event inside a step, or a little where an error of its force had it held. */
+static enum thud_status separate(struct thud_state *state, struct thud_contact_log *log, int c, double time_s,
+                                 double rate_mps, struct thud_error *err)
+{
+    if (state->contact[c].mode == THUD_CLOSED)
+        thud_contact_released(state, log, c, time_s, rate_mps);
+    return thud_contact_open(state, log, c, thud_contact_indentation(state, c) >= -state->touch_m, err);
 }
 
 /* At d' = 0. Where the branch of the phase that begins meets the present one, that phase begins. Where it does not
@@ -169,12 +179,9 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
         onset(state, log, contact);
         return THUD_OK;
     case THUD_EVENT_SEPARATION:
-        if (s->mode == THUD_CLOSED)
-            thud_contact_released(state, log, contact, thud_state_now(state), thud_contact_rate(state, contact));
-        /* a little beyond 0 where an error of its force had it held */
-        return thud_contact_open(state, log, contact, thud_contact_indentation(state, contact) >= -state->touch_m, err);
+        return separate(state, log, contact, thud_state_now(state), thud_contact_rate(state, contact), err);
     case THUD_EVENT_RELEASE:
-        return release(state, log, contact, err);
+        return release(state, log, contact, thud_state_now(state), thud_contact_rate(state, contact), err);
     case THUD_EVENT_REENGAGE:
         thud_contact_set_mode(state, contact, THUD_CLOSED);
         s->suppressed = (struct thud_suppressed){.force = force_zeros(state, contact, 1)};
@@ -225,16 +232,10 @@ enum thud_status thud_contacts_begin(struct thud_state *state, struct thud_conta
 static enum thud_status end(struct thud_state *state, struct thud_contact_log *log, const struct thud_segment *seg,
                             int c, enum thud_event event, double s, struct thud_error *err)
 {
-    const double time_s = seg->start_s + s * seg->h_s;
-    enum thud_status status = THUD_OK;
-    if (state->contact[c].mode == THUD_CLOSED)
-        thud_contact_released(state, log, c, time_s, rate_at(state, seg, c, s));
+    const double time_s = seg->start_s + s * seg->h_s, rate_mps = rate_at(state, seg, c, s);
     state->work->events++;
-    const bool there = thud_contact_indentation(state, c) >= -state->touch_m;
-    if (event == THUD_EVENT_SEPARATION)
-        status = thud_contact_open(state, log, c, there, err);
-    else
-        thud_contact_set_mode(state, c, THUD_CLOSED_NO_FORCE);
+    const enum thud_status status = event == THUD_EVENT_SEPARATION ? separate(state, log, c, time_s, rate_mps, err)
+                                                                   : release(state, log, c, time_s, rate_mps, err);
     return status == THUD_OK ? thud_contact_log_event(log, state, time_s, c, event, 0, err) : status;
 }
 

@@ -10,9 +10,7 @@
 #include "core/numerics/vec.h"
 
 enum { POINTS = THUD_QUADRATURE_POINTS, TERMS = 24, ENDS = THUD_FREE_VIBRATION_ENDS }; /* 2^24/24! is below rounding */
-enum {
-    LOOKS_APART = 4
-}; /* intervals from one look at what ends a block to the next: a look costs as much as half of one */
+enum { LOOKS_APART = 4 }; /* intervals from one look at what ends a block to the next: it costs half of one */
 
 /* Longest part of the interval that the series are made of, by the fastest rate in it: each doubling adds rounding. */
 static const double longest_rad = 2;
