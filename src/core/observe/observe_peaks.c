@@ -2,7 +2,7 @@
  *
  * Glossary, for a segment of which the first part, s in [0, s_end], is committed; tau = s_end h in s.
  *
- *     S                 thud_response_bound_segment: bound of sqrt(sum q'^2 + omega^2 (q - rest)^2) of a structure
+ *     S                 thud_response_bound_segment: bound of sqrt(sum q'^2 + omega^2 q^2) of a structure
  *     modal[row]        peaks->modal, of each mode j of the structure (m kg^1/2 and s):
  *         START, END    q'' + gamma a_g at both ends, from which the floors' total accelerations follow
  *         FOURTH        bound of the second rate of q'' + gamma a_g: the sum of the sizes of the series' terms
@@ -172,7 +172,7 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     if (o->seg->interpolates)
         acceleration_by_forces(peaks, state, o->seg);
     else
-        thud_peaks_row_forces(peaks, state, o->seg);
+        thud_peaks_row_forces(peaks, state->model, o->seg);
     if (!state->locates)
         thud_segment_bounds(o->seg, state->model, o->s);
     for (int i = 0; i < state->model->nstructures; i++) {
@@ -244,15 +244,14 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     const size_t n = (size_t)m->nmodes, stride = (size_t)even_size(m), rows = THUD_FLOOR_QUANTITIES * stride,
                  structures = (size_t)m->nstructures;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
-    const enum thud_status status =
-        THUD_LAY_IN(state->memory, err, THUD_PIECE(peaks->per_speed, THUD_FLOOR_QUANTITIES * m->ndof),
-                    THUD_PIECE(peaks->ground, structures), THUD_PIECE(peaks->as_speed, structures),
-                    THUD_PIECE(peaks->quiet, structures), THUD_PIECE(peaks->per_force, structures * (size_t)m->nrows),
-                    THUD_PIECE(peaks->shape, 2 * (size_t)m->nshapes * stride),
-                    THUD_PIECE(peaks->modal, MODE_ROWS * stride), THUD_PIECE(peaks->value, VALUE_ROWS * stride),
-                    THUD_PIECE(peaks->series, THUD_SEGMENT_TERMS * stride), THUD_PIECE(peaks->rest, n),
-                    THUD_PIECE(peaks->acceleration, (THUD_SEGMENT_TERMS + 1) * n), THUD_PIECE(peaks->push, m->nrows),
-                    THUD_PIECE(peaks->made, stride), THUD_PIECE(peaks->row, rows), THUD_PIECE(peaks->due, rows));
+    const enum thud_status status = THUD_LAY_IN(
+        state->memory, err, THUD_PIECE(peaks->per_speed, THUD_FLOOR_QUANTITIES * m->ndof),
+        THUD_PIECE(peaks->ground, structures), THUD_PIECE(peaks->as_speed, structures),
+        THUD_PIECE(peaks->quiet, structures), THUD_PIECE(peaks->per_force, structures * (size_t)m->nrows),
+        THUD_PIECE(peaks->shape, 2 * (size_t)m->nshapes * stride), THUD_PIECE(peaks->modal, MODE_ROWS * stride),
+        THUD_PIECE(peaks->value, VALUE_ROWS * stride), THUD_PIECE(peaks->series, THUD_SEGMENT_TERMS * stride),
+        THUD_PIECE(peaks->acceleration, (THUD_SEGMENT_TERMS + 1) * n), THUD_PIECE(peaks->push, m->nrows),
+        THUD_PIECE(peaks->made, stride), THUD_PIECE(peaks->row, rows), THUD_PIECE(peaks->due, rows));
     if (status != THUD_OK)
         return status;
     peaks->upper = malloc((rows * THUD_FREE_VIBRATION_BLOCK + 1) * sizeof *peaks->upper); /* large: not to be cleared */

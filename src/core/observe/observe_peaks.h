@@ -21,13 +21,6 @@ struct thud_peak_row {
     const struct thud_sum *sum; /* NULL: a floor's */
 };
 
-/* A contact or a yielding storey in a segment: bound of its force, of a storey's of how far it strays from that at the
- * start (peaks->rest). */
-struct thud_row_push {
-    int row;
-    double bound;
-};
-
 struct thud_peaks {
     struct thud_result *result; /* whose peaks rise */
     int stride;                 /* floors of the largest structure, an even number */
@@ -38,10 +31,7 @@ struct thud_peaks {
     double *as_speed;  /* (nstructures) S that lets accelerations come to no less than a force of 1 does */
     double *quiet;     /* (nstructures) S up to which no peak could be passed when it was last looked at */
     /* A segment, or one structure in it */
-    struct thud_row_push *push; /* (pushes) of rows that have a force */
-    int pushes;
-    bool rests;     /* whether storeys have a force at the start, and */
-    double *rest;   /* (nmodes) where the modes would rest under those */
+    double *push;   /* (rows of the segment) bounds of their forces */
     double *modal;  /* (rows x stride) accelerations of the modes at the two ends, and bounds of derivatives */
     double *value;  /* (rows x stride) of the floors at the two ends */
     double *series; /* (stride x terms) polynomials of the floors' displacements, of those */

@@ -5,8 +5,8 @@
 
 /* response_bound.c. Fills peaks->per_speed, per_force and as_speed. */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state);
-/* Fills peaks->push and peaks->rest with the forces of the segment. */
-void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg);
+/* Fills peaks->push. */
+void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg);
 /* S of a structure in the segment up to s, with what its forces do at once; without bound for methods whose steps do not keep to the equations of motion. */
 double thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
                                    const struct thud_segment *seg, int structure, double s);
