@@ -338,17 +338,41 @@ static double collapses(const struct thud_model *m, const struct thud_segment *s
     return first;
 }
 
-/* Guards of storey k, beside those of contacts: while it is elastic, the distance of its drift from the bound on either
- * side, which must not rise above 0; while it yields, the rate of its drift, which must not turn back. */
+double thud_event_storey(const struct thud_state *state, int k, const double *d, int n, bool fresh, double s_end,
+                         enum thud_event *event, int *order)
+{
+    const struct thud_storey_state *s = &state->storey[k];
+    const int from = s->direction != 0 ? 1 : 0; /* the rate of the drift, or the drift */
+    double p[THUD_SEGMENT_TERMS], first = INFINITY;
+    for (int i = 0; i + from < n; i++)
+        p[i] = from > 0 ? (i + 1) * d[i + 1] : d[i];
+    if (s->direction != 0) {
+        *event = THUD_EVENT_UNLOAD;
+        *order = fresh ? s->suppressed : 0;
+        return thud_poly_first_above(p, n - 1, s_end, -s->direction, *order, 0);
+    }
+    for (int side = -1; side <= 1; side += 2) {
+        const int suppressed = fresh && s->suppressed_side == side ? s->suppressed : 0;
+        p[0] = d[0] - s->plastic_m - side * state->model->storey[k].yield_m;
+        const double at = thud_poly_first_above(p, n, fmin(s_end, first), side, suppressed, state->touch_m);
+        if (at < first) {
+            first = at;
+            *order = suppressed;
+            *event = side > 0 ? THUD_EVENT_YIELD_UP : THUD_EVENT_YIELD_DOWN;
+        }
+    }
+    return first;
+}
+
+/* The same in the segment; what its modes can do at most shows that as a rule there is none. */
 static double storey_fires(const struct thud_state *state, const struct thud_segment *seg, int k, double s_end,
                            enum thud_event *event, int *order)
 {
     const struct thud_model *m = state->model;
     const struct thud_storey_state *s = &state->storey[k];
-    const double bound = m->storey[k].yield_m;
-    const int row = m->ncontacts + k, n = seg->terms;
-    double p[THUD_SEGMENT_TERMS], first = INFINITY;
-    if (s->direction == 0 && s->suppressed == 0) { /* by what its modes can do at most */
+    const int row = m->ncontacts + k;
+    if (s->direction == 0 && s->suppressed == 0) {
+        const double bound = m->storey[k].yield_m;
         double most =
             fabs(thud_contact_indentation(state, row) - s->plastic_m) + fabs(thud_contact_rate(state, row)) * seg->h_s;
         if (m->storey[k].link < 0 && most + seg->notes->drifts[m->storey[k].structure] <= bound)
@@ -360,26 +384,7 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
         if (most <= bound)
             return INFINITY;
     }
-    const double *d = thud_segment_read(state, seg, row);
-    if (s->direction != 0) {
-        for (int i = 0; i + 1 < n; i++)
-            p[i] = (i + 1) * d[i + 1];
-        *event = THUD_EVENT_UNLOAD;
-        *order = s->suppressed;
-        return thud_poly_first_above(p, n - 1, s_end, -s->direction, s->suppressed, 0);
-    }
-    memcpy(p, d, (size_t)n * sizeof *p);
-    for (int side = -1; side <= 1; side += 2) {
-        p[0] = d[0] - s->plastic_m - side * bound;
-        int suppressed = s->suppressed_side == side ? s->suppressed : 0;
-        double at = thud_poly_first_above(p, n, fmin(s_end, first), side, suppressed, state->touch_m);
-        if (at < first) {
-            first = at;
-            *order = suppressed;
-            *event = side > 0 ? THUD_EVENT_YIELD_UP : THUD_EVENT_YIELD_DOWN;
-        }
-    }
-    return first;
+    return thud_event_storey(state, k, thud_segment_read(state, seg, row), seg->terms, true, s_end, event, order);
 }
 
 /* Whether the segment goes on as it is where the contact is released or parts at s: it does not come back, and has no

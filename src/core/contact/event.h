@@ -30,3 +30,8 @@ extern const struct thud_event_words {
  * Reads the indentation of the contacts that may have one, for its notes. */
 double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,
                         enum thud_event *event, int *order);
+/* The first event of storey k where its drift is the polynomial d (n terms): while it is elastic, the distance of the
+ * drift from the bound on either side must not rise above 0; while it yields, the rate of the drift must not turn back.
+ * fresh: it may have just switched. */
+double thud_event_storey(const struct thud_state *state, int k, const double *d, int n, bool fresh, double s_end,
+                         enum thud_event *event, int *order);

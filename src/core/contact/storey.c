@@ -63,8 +63,10 @@ double thud_storeys_hysteretic(const struct thud_state *state, const double *q)
 {
     double sum = 0;
     for (int k = 0; k < state->model->nstoreys; k++) {
-        double moved = thud_storey_plastic(state, k, drift_of(state, k, q)) - state->storey[k].plastic_m;
-        sum += state->storey[k].hysteretic_j + loss(&state->model->storey[k], moved);
+        sum += state->storey[k].hysteretic_j;
+        if (state->storey[k].direction != 0 || !state->locates)
+            sum += loss(&state->model->storey[k],
+                        thud_storey_plastic(state, k, drift_of(state, k, q)) - state->storey[k].plastic_m);
     }
     return sum;
 }

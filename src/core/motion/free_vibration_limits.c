@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "base/largest.h"
+#include "core/contact/event.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
@@ -260,25 +261,16 @@ int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struc
 /* Whether storey k comes to its bound in interval t, or unloads where it yields. */
 static bool yields(struct thud_free_vibration *f, const struct thud_state *state, int k, int t)
 {
-    const struct thud_storey_state *s = &state->storey[k];
     double d[THUD_SEGMENT_TERMS];
-    for (int piece = 0; piece < f->pieces; piece++) {
+    enum thud_event event;
+    bool any = false;
+    for (int piece = 0, order; piece < f->pieces && !any; piece++) {
         const int row = state->model->ncontacts + k;
         const struct thud_segment *seg = thud_free_vibration_row_series(f, state, row, t, piece);
         thud_segment_indentation(state, seg, row, d);
-        double drift = d[0];
-        for (int i = 1; i < seg->terms && s->direction != 0; i++)
-            d[i] *= i;
-        if (s->direction != 0 && thud_poly_first_above(d + 1, seg->terms - 1, 1, -s->direction, 0, 0) <= 1)
-            return true;
-        for (int side = -1; side <= 1 && s->direction == 0; side += 2) {
-            int suppressed = t == 0 && piece == 0 && s->suppressed_side == side ? s->suppressed : 0;
-            d[0] = drift - s->plastic_m - side * state->model->storey[k].yield_m;
-            if (thud_poly_first_above(d, seg->terms, 1, side, suppressed, state->touch_m) <= 1)
-                return true;
-        }
+        any = thud_event_storey(state, k, d, seg->terms, t == 0 && piece == 0, 1, &event, &order) <= 1;
     }
-    return false;
+    return any;
 }
 
 /* The size of the drift of storey k (a link's is of two floors far apart) less what is plastic at the ends into f->gap;
@@ -313,11 +305,12 @@ static double fill_rate(struct thud_free_vibration *f, const struct thud_state *
     double spring = c->soft_npm * square * square, dashpot = 0;
     memset(f->gap, 0, (size_t)f->ends * sizeof *f->gap);
     for (int j = 0; j < c->n; j++) {
-        const double damped = thud_dot(c->n, p->damping + j * c->n, g);
+        const double damped = thud_dot(c->n, p->damping + j * c->n, g), outward = -state->storey[k].direction * g[j],
+                     *rate = f->qd + (c->first_mode + j) * ENDS;
         spring += m->spring[c->first_mode + j] * g[j] * g[j];
         dashpot += damped * damped;
         for (int t = 0; t < f->ends; t++)
-            f->gap[t] -= state->storey[k].direction * g[j] * f->qd[(c->first_mode + j) * ENDS + t];
+            f->gap[t] += outward * rate[t];
     }
     return -f->dt_s * f->dt_s / 8 *
            ((sqrt(thud_larger(spring, 0)) + sqrt(dashpot)) * bound_of(f, m, p->system, 2) +
