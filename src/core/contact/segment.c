@@ -429,17 +429,18 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
         const int c = seg->row[i];
         const struct thud_branch *branch = thud_row_branch(state, c);
         const bool at_zero = k == 0 && thud_row_starts_at_zero(state, c);
-        double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
+        double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS, f = 0;
         if (!thud_row_by_branch(state, c))
             continue;
         if (k == 0) {
-            d[0] = at_zero ? 0 : thud_model_gap_sum(m, c, seg->q) - thud_state_clearance(state, c);
+            thud_model_gap_pair(m, c, seg->q, m->nmodes, d);
+            d[0] = at_zero ? 0 : d[0] - thud_state_clearance(state, c);
+            d[1] = at_zero && state->contact[c].suppressed.rate > 0 ? 0 : d[1];
             f = branch->f0_n;
+        } else if (k + 1 < seg->terms) {
+            d[k + 1] = thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
         }
-        if (k + 1 < seg->terms)
-            d1 = d[k + 1] = at_zero && state->contact[c].suppressed.rate > 0
-                                ? 0
-                                : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
+        const double d1 = k + 1 < seg->terms ? d[k + 1] : 0;
         seg->force[k * m->nrows + c] = f + branch->k_npm * d[k] + branch->c_nspm * (k + 1) / seg->h_s * d1;
     }
 }
@@ -485,10 +486,11 @@ static bool fold_row(const struct thud_state *state, int c, struct folded *to)
     return true;
 }
 
-/* Forces from order 2 on of the rows that act, by the modes. */
-static void read_forces(const struct thud_state *state, struct thud_segment *seg)
+/* Forces from order 2 on of the rows that act, by the modes of their system. */
+static void read_forces(const struct thud_state *state, struct thud_segment *seg, int system)
 {
-    const int nrows = state->model->nrows;
+    const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[m->system[system < 0 ? 0 : system]];
     for (int i = 0; i < seg->rows; i++) {
         const int c = seg->row[i];
         const struct thud_branch *branch = thud_row_branch(state, c);
@@ -496,9 +498,11 @@ static void read_forces(const struct thud_state *state, struct thud_segment *seg
         double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS;
         if (!thud_row_by_branch(state, c))
             continue;
-        thud_segment_indentation(state, seg, c, d);
+        thud_dots(p->modes, m->jacobian + c * m->nmodes + p->first_mode, seg->q + 2 * m->nmodes + p->first_mode,
+                  m->nmodes, seg->terms - 2, d + 2);
         for (int k = 2; k < seg->terms; k++)
-            seg->force[k * nrows + c] = branch->k_npm * d[k] + (k + 1 < seg->terms ? by_rate * (k + 1) * d[k + 1] : 0);
+            seg->force[k * m->nrows + c] =
+                branch->k_npm * d[k] + (k + 1 < seg->terms ? by_rate * (k + 1) * d[k + 1] : 0);
     }
 }
 
@@ -521,7 +525,7 @@ static void linear_series(const struct thud_state *state, struct thud_segment *s
     }
     if (folds) {
         unloaded_orders(state->model, seg, of, 2, &folded);
-        read_forces(state, seg);
+        read_forces(state, seg, folded.system);
     }
     seg->loaded = seg->terms;
 }
