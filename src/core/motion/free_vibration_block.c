@@ -189,35 +189,26 @@ static void all_rows(const double *row, int rows, int columns, const double *fro
         some_rows(row + i * columns, columns, 1, from, ends, to + (size_t)i * ENDS);
 }
 
-/* -kappa g g^T x of the storey that yields, added to the rows of its system. */
-static void soften(const struct thud_free_vibration *f, const struct thud_coupled_motion *c, const double *x,
-                   double *out)
-{
-    for (int t = 0; t < f->ends; t += 2) { /* rows are long enough */
-        const int row = c->first_mode * ENDS + t;
-        thud_vec2 drift = {0, 0};
-        for (int j = 0; j < c->n; j++)
-            drift += c->soft[j] * thud_vec2_at(x + row + j * ENDS);
-        for (int j = 0; j < c->n; j++)
-            thud_vec2_put(thud_vec2_at(out + row + j * ENDS) - c->soft_npm * c->soft[j] * drift, out + row + j * ENDS);
-    }
-}
-
 void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
                                 const struct thud_model_structure *p, const double *x, const double *v, double *out)
 {
     const struct thud_coupled_motion *c = thud_free_vibration_motion(f, p->system);
     const bool couples = p->damping; /* no dashpots of single modes then */
+    double drift[ENDS];              /* g^T x of a storey that yields, and takes back kappa g of it */
     if (couples)
         all_rows(p->damping, p->modes, p->modes, v + p->first_mode * ENDS, f->ends, out + p->first_mode * ENDS);
+    if (c->soft)
+        some_rows(c->soft, c->n, 1, x + p->first_mode * ENDS, f->ends, drift);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         const double spring = m->spring[j], by = couples ? 1 : m->dashpot[j], shift = couples ? 0 : f->shift[j];
-        const double *damped = couples ? out : v;
-        for (int t = j * ENDS, end = t + f->ends; t < end; t += 2) /* rows are long enough */
-            thud_vec2_put(-(spring * (thud_vec2_at(x + t) - shift) + by * thud_vec2_at(damped + t)), out + t);
+        const double *damped = couples ? out : v, soft = c->soft ? c->soft_npm * c->soft[j - p->first_mode] : 0;
+        for (int t = 0, at = j * ENDS; t < f->ends; t += 2, at += 2) { /* rows are long enough */
+            thud_vec2 force = spring * (thud_vec2_at(x + at) - shift) + by * thud_vec2_at(damped + at);
+            if (c->soft)
+                force += soft * thud_vec2_at(drift + t);
+            thud_vec2_put(-force, out + at);
+        }
     }
-    if (c->soft)
-        soften(f, c, x, out);
 }
 
 static void drift_rows(struct thud_free_vibration *f, const struct thud_model_structure *p)
