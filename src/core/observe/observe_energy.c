@@ -14,9 +14,10 @@
 #include "core/numerics/vec.h"
 #include "core/observe/contact_work.h"
 
-enum { LOOKS_APART = 64 };         /* segments and blocks between two looks at the balance */
-static const double fine = 1e-7;   /* tolerance below which works are summed to rounding */
-static const double far_rad = 2.1; /* what a piece may turn by with those points; above, it takes more */
+enum { LOOKS_APART = 64 };          /* segments and blocks between two looks at the balance */
+static const double fine = 1e-7;    /* tolerance below which works are summed to rounding */
+static const double far_rad = 2.1;  /* what a piece may turn by with those points; above, it takes more, and */
+static const double near_rad = 0.8; /* below, without contact, seven: right to 7e-14 of its work there */
 
 /* Structures. The power of damping and of the ground is integrated by the few points of a stepping method's cubic, else
  * by those that leave rounding alone; the rates at both ends of the piece are known. */
@@ -92,8 +93,12 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
-    const int far = o->state->fastest_radps * o->s * seg->h_s > far_rad, degree = 2 * (seg->terms - 2);
-    const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[1].order ? 1 : THUD_LOBATTO_RULES - 2 + far];
+    const double turned_rad = o->state->fastest_radps * o->s * seg->h_s;
+    const bool given =
+        o->state->nactive > 0 || (seg->loaded > 2 && seg->loaded < seg->terms); /* forces that turn faster */
+    const int far = turned_rad > far_rad, near = turned_rad < near_rad && !given;
+    const bool coarse = 2 * (seg->terms - 2) < thud_lobatto[1].order;
+    const struct thud_lobatto *by = &thud_lobatto[coarse ? 1 : THUD_LOBATTO_RULES - 2 + far - near];
     if (seg->nodes && o->state->tolerance >= fine) /* as good as the step */
         by = far ? by - 1 : thud_lobatto_of(seg->nodes->count);
     const struct thud_rate_powers *power = &l->power[by - thud_lobatto];

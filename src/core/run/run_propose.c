@@ -44,6 +44,10 @@ static enum thud_status propose(struct thud_run *run, struct thud_proposal *p, s
     p->s = next_event(run, p);
     p->switched = p->s <= p->limit;
     p->s = p->switched ? p->s : p->limit;
+    if (p->switched && run->method->order == 0 && !run->seg.nodes) { /* what is left of it needs fewer terms */
+        const int terms = thud_segment_all_terms(&run->state, p->s * run->seg.h_s);
+        run->seg.terms = terms < run->seg.terms ? terms : run->seg.terms;
+    }
     return THUD_OK;
 }
 
