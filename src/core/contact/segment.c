@@ -473,16 +473,12 @@ static bool fold_row(const struct thud_state *state, int c, struct folded *to)
     if (thud_row_sticks(state, c) || systems > 1 || (to->system >= 0 && to->system != p->system) || !p->damping ||
         p->modes > DENSE_MOST)
         return false;
-    if (to->system < 0) {
-        memcpy(to->dashpot, p->damping, (size_t)(p->modes * p->modes) * sizeof *to->dashpot);
-        memset(to->spring, 0, (size_t)(p->modes * p->modes) * sizeof *to->spring);
-    }
-    to->system = p->system;
-    for (int i = 0; i < p->modes; i++)
-        for (int j = 0; j < p->modes; j++) {
-            to->spring[i * p->modes + j] += branch->k_npm * g[i] * g[j];
-            to->dashpot[i * p->modes + j] += branch->c_nspm * g[i] * g[j];
+    for (int i = 0, at = 0; i < p->modes; i++)
+        for (int j = 0; j < p->modes; j++, at++) {
+            to->spring[at] = (to->system < 0 ? 0 : to->spring[at]) + branch->k_npm * g[i] * g[j];
+            to->dashpot[at] = (to->system < 0 ? p->damping : to->dashpot)[at] + branch->c_nspm * g[i] * g[j];
         }
+    to->system = p->system;
     return true;
 }
 
