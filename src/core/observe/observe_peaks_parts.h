@@ -7,7 +7,7 @@
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state);
 /* Fills peaks->push. */
 void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg);
-/* S of a structure in the segment up to s, with what its forces do at once; without bound for methods whose steps do not keep to the equations of motion. */
+/* S of a structure in the segment up to s, with what its forces do at once. */
 double thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
                                    const struct thud_segment *seg, int structure, double s);
 

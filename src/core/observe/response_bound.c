@@ -71,7 +71,6 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_model *m,
     }
 }
 
-/* In the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
 double thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
                                    const struct thud_segment *seg, int structure, double s)
 {
@@ -81,8 +80,6 @@ double thud_response_bound_segment(const struct thud_peaks *peaks, const struct 
     const double energy = thud_energy_sum(p->modes, m->spring + at, state->q + at, state->qd + at),
                  ground = thud_larger(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * peaks->ground[structure];
     double force = 0;
-    if (seg->interpolates)
-        return INFINITY;
     for (int i = 0; i < seg->rows; i++)
         force += peaks->per_force[structure * m->nrows + seg->row[i]] * peaks->push[i];
     return sqrt(energy) + s * seg->h_s * (ground + force) + peaks->as_speed[structure] * force;
