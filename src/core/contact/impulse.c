@@ -12,8 +12,8 @@
  *
  * so that they lose the energy sum p (1 - e) (-u-)/2, never less than 0, whatever their restitutions. A contact that
  * opens takes no part: should the impulses close it, that is the next collision, at the same moment. Where the bodies
- * have no room to bounce (between two walls that both touch), no p solves that: infinitely many bounces pass in no time,
- * and what they end in has e = 0. Then the contacts at rest are held where a force is needed that they go on together:
+ * have no room to bounce (between two walls that both touch), no p solves that, or such collisions have no end: infinitely
+ * many bounces pass in no time, and what they end in has e = 0. Then the contacts at rest are held where a force is needed that they go on together:
  *
  *     u++ = a + W f >= 0,   f >= 0,   complementary */
 
@@ -52,9 +52,10 @@ static enum thud_status solve(const struct thud_state *state, const struct colli
     return !unique && state->model->left_out > 0 ? thud_state_too_few_modes(state, err) : status;
 }
 
-static enum thud_status impulses(const struct thud_state *state, struct collision *x, struct thud_error *err)
+static enum thud_status impulses(const struct thud_state *state, struct collision *x, int onset, struct thud_error *err)
 {
     const struct thud_model *m = state->model;
+    const bool endless = thud_contact_rate(state, onset) < -thud_rest_speed(state); /* passed over, and opens by now */
     thud_contact_forces(state, state->force_now);
     for (int i = 0; i < x->n; i++) {
         int c = x->set[i];
@@ -64,7 +65,7 @@ static enum thud_status impulses(const struct thud_state *state, struct collisio
             state->contact[c].mode == THUD_STICKING; /* what rate it has is the error of the force that holds it */
         /* the forces would have to end a slower parting within a moment, or at once */
         const double slow_mps = THUD_TOL_MOMENT_S * thud_contact_acceleration(state, c, state->force_now);
-        if (held || !(e * v > thud_larger(thud_rest_speed(state), slow_mps)))
+        if (endless || held || !(e * v > thud_larger(thud_rest_speed(state), slow_mps)))
             e = 0;
         x->q[i] = -(1 + e) * v;
         for (int j = 0; j < x->n; j++)
@@ -109,9 +110,10 @@ static enum thud_status check_energy(const struct thud_state *state, const struc
 {
     double lost = 0, size = 0, rest = 0;
     for (int i = 0; i < x->n; i++) {
-        const double after = thud_contact_rate(state, x->set[i]), p = 0.5 * x->impulse[i];
-        lost += p * (x->speed[i] + after);
-        size += p * (fabs(x->speed[i]) + fabs(after));
+        const double after = thud_contact_rate(state, x->set[i]), p = 0.5 * x->impulse[i],
+                     before = state->contact[x->set[i]].mode == THUD_STICKING ? 0 : x->speed[i];
+        lost += p * (before + after);
+        size += p * (fabs(before) + fabs(after));
         rest += state->model->contact[x->set[i]].setup.mass_kg * pow(thud_rest_speed(state), 2);
     }
     if (lost >= -THUD_TOL_IMPULSE_ENERGY * size - rest)
@@ -232,7 +234,7 @@ enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_cont
     double *block = state->collide;
     struct collision x = {
         n, set, set + n, block, block + n, block + 2 * n, block + 4 * n, block + 3 * n, block + 4 * n + n * n};
-    enum thud_status status = impulses(state, &x, err);
+    enum thud_status status = impulses(state, &x, contact, err);
     if (status != THUD_OK)
         return status;
     for (int i = 0; i < n; i++)

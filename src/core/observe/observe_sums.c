@@ -326,32 +326,28 @@ void thud_links_finish(const struct thud_state *state, struct thud_result *resul
 {
     const struct thud_model *m = state->model;
     for (int i = 0; i < m->nlinks; i++) {
-        const int storey = m->link[i].storey;
-        if (storey >= 0) {
-            const double d = thud_model_link(m, i, state->q), held = d - thud_storey_plastic(state, storey, d);
-            result->link[i].lost_j = state->storey[storey].hysteretic_j;
-            result->link[i].stored_j = 0.5 * m->link[i].stiffness_npm * held * held;
-            result->link[i].engaged = state->storey[storey].excursions;
-            result->link[i].residual_m = state->storey[storey].plastic_m;
-            result->link[i].contact = m->ncontacts + storey;
-            continue;
+        const struct thud_model_link *p = &m->link[i];
+        const struct thud_storey_state *slip = p->storey >= 0 ? &state->storey[p->storey] : NULL;
+        struct thud_link_result *r = &result->link[i];
+        const double d = thud_model_link(m, i, state->q),
+                     held = slip ? d - thud_storey_plastic(state, p->storey, d) : d;
+        r->contact = slip ? m->ncontacts + p->storey : p->contact;
+        r->stored_j = 0.5 * p->stiffness_npm * held * held;
+        r->residual_m = slip ? slip->plastic_m : NAN;
+        if (slip) {
+            r->lost_j = slip->hysteretic_j;
+            r->engaged = slip->excursions;
         }
-        const int contact = result->link[i].contact = m->link[i].contact;
-        result->link[i].residual_m = NAN;
-        if (contact < 0) {
-            const double d = thud_model_link(m, i, state->q);
-            result->link[i].stored_j = 0.5 * m->link[i].stiffness_npm * d * d;
+        if (p->contact < 0)
             continue;
-        }
-        const struct thud_contact_result *from = &result->contact[contact];
+        const struct thud_contact_result *from = &result->contact[p->contact];
         const double least_j = THUD_TOL_LINK_LOSS * from->force.value * from->indentation.value;
-        result->link[i] =
-            (struct thud_link_result){.force = from->force,
-                                      .stroke = from->indentation,
-                                      .lost_j = fabs(from->dissipated_j) > least_j ? from->dissipated_j : 0,
-                                      .stored_j = from->stored_j,
-                                      .residual_m = from->residual_m,
-                                      .engaged = from->impacts,
-                                      .contact = contact};
+        *r = (struct thud_link_result){.force = from->force,
+                                       .stroke = from->indentation,
+                                       .lost_j = fabs(from->dissipated_j) > least_j ? from->dissipated_j : 0,
+                                       .stored_j = from->stored_j,
+                                       .residual_m = from->residual_m,
+                                       .engaged = from->impacts,
+                                       .contact = p->contact};
     }
 }
