@@ -157,15 +157,16 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
     return s->past_ultimate ? -1 : 1;
 }
 
-/* A contact whose force is not resolved turns where it is faster than at rest: neighbours that move alike would turn with
- * each step. One that has just turned does so again where errors of the forces, as they grow from 0, cannot have made it:
- * a contact that is pressed and hardly moves would turn to and fro. */
+/* A contact turns back to approach where it is faster than half of the speed of rest, and one whose force is not resolved
+ * either way: what is pressed, or moves like its neighbour, would turn with each step. One that has just turned does so
+ * again where errors of the forces, as they grow from 0, cannot have made it. */
 static void pass_over_errors(const struct view *v, struct line *line, double *rate, int sign)
 {
     const struct thud_model *m = v->state->model;
-    if (thud_row_force(v->state, v->c, thud_contact_indentation(v->state, v->c), 0) <= unresolved_force(v)) {
+    if (sign > 0 ||
+        thud_row_force(v->state, v->c, thud_contact_indentation(v->state, v->c), 0) <= unresolved_force(v)) {
         memset(rate, 0, (size_t)line->suppressed * sizeof *rate);
-        rate[0] -= sign * thud_rest_speed(v->state);
+        rate[0] -= 0.5 * sign * thud_rest_speed(v->state); /* should it stick, it is at rest */
         line->suppressed = 0;
     }
     for (int b = 0; b < m->nrows && (line->suppressed == 1 || line->suppressed == 2); b++)
