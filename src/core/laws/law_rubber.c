@@ -33,7 +33,7 @@ static const char *const speed_choices[] = {"touch", "energy", NULL};
 
 /* With impact-speed = energy the reference speed falls with the indentation and the rate of restitution stays that of
  * the elastic contact, so no floor is needed: this only keeps a division by 0 out. */
-static const double least_energy_speed = 1e-9;
+static const double least_energy_speed = 1e-20;
 
 /* clang-format off */
 static const struct thud_param params[] = {
