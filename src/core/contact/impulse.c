@@ -12,8 +12,9 @@
  *
  * so that they lose the energy sum p (1 - e) (-u-)/2, never less than 0, whatever their restitutions. A contact that
  * opens takes no part: should the impulses close it, that is the next collision, at the same moment. Where the bodies
- * have no room to bounce (between two walls that both touch), no p solves that, or such collisions have no end: infinitely
- * many bounces pass in no time, and what they end in has e = 0. Then the contacts at rest are held where a force is needed that they go on together:
+ * have no room to bounce (between two walls that both touch), no p solves that, or such collisions have no end:
+ * infinitely many bounces pass in no time, and what they end in has e = 0. Then the contacts at rest are held where a
+ * force is needed that they go on together:
  *
  *     u++ = a + W f >= 0,   f >= 0,   complementary */
 
