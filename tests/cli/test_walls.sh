@@ -63,6 +63,11 @@ is "show their deflections, which are no drifts of storeys" sh -c "grep -A2 '^we
 # shellcheck disable=SC2086 # several words
 is "and a report" gives 0 report $scene --to 12s --samples 0 --no-simplify --no-pdf --quiet -o "$tmp/report" $rubber
 is "counts the storeys of the building" grep -q '^| effect of the bumper | .* of 7 floor accelerations and [0-4] of 4 storey drifts' "$tmp/report/report.md"
+is "a study of walls" sh -c "THUD_GNUPLOT='$tmp/gnuplot' '$THUD' sweep $scene --to 12s --vary interfaces.1.gap=24cm:26cm:2cm --quiet -o '$tmp/study' >'$tmp/out' 2>&1; [ -s '$tmp/study/sweep.csv' ]"
+# rows of the two walls and the means over them: deflections, and neither drifts nor their ratios
+is "has deflections of walls, and drifts of storeys alone" [ "$(awk -F, '$4 ~ /moat/ { walls++; empty += $7 == "" && $10 == "" && $13 == "" && $8 > 0.001 } $4 == "isolated" { storeys += $7 > 0 && $13 > 0 } END { print walls, empty, storeys }' "$tmp/study/sweep.csv")" = "8 8 12" ]
+is "prints none for them" grep -q 'moat .* on floor 1  *- ' "$tmp/out"
+is "draws a panel of drifts for the building, of two of accelerations more" [ "$(grep -c "^set label.*'Peak drift ratio'" "$tmp/study/pounding.gp") $(grep -c "^set label.*'Peak acceleration ratio'" "$tmp/study/pounding.gp") $(grep -c 'moat, 1 storey' "$tmp/study/pounding.gp")" = "1 3 0" ]
 is "in JSON too" gives 0 run $scene --json --quiet
 is "by wall and law" shows '"ends": "west moat-ground", "law": "backfill"'
 is "and the scene" shows '"backfill": {"stiffness": "304.5 MN/m", "strength": "4890 kN", "ratio": "0.7"'

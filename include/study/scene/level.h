@@ -10,7 +10,8 @@ int thud_structure_floors(const struct thud_structure *structure);
 /* Returns the elevation (m) of a floor (from 0) of a building or rigid body; NaN for a body without one. */
 double thud_structure_elevation(const struct thud_structure *structure, int floor);
 /* Returns which of the rows of a structure's floors (from 0) has its first storey below it: 1 of an isolated building,
- * whose row 0 is its isolators; else 0. Measures of storeys begin there. */
+ * whose row 0 is its isolators; of a wall or body the number of its rows, as it has none; else 0. Measures of storeys
+ * begin there. */
 int thud_structure_first_storey(const struct thud_structure *structure);
 /* Returns the number of the storey below a floor (from 0), as in presets and messages; 0: the isolators. */
 int thud_structure_storey(const struct thud_structure *structure, int floor);

@@ -88,7 +88,7 @@ void thud_site_effect(const struct site *site, const struct site_case *one, bool
     count[LOWER] = count[SAME] = count[HIGHER] = 0;
     for (int s = 0; s < site->scene->nstructures; s++)
         for (int i = drifts ? thud_structure_first_storey(&site->scene->structure[s]) : 0;
-             (!drifts || thud_site_is_building(site, s)) && i < site->own->result->structure[s].floors; i++) {
+             i < site->own->result->structure[s].floors; i++) {
             const enum side side = side_of(ratio_of(site, one, s, i, table));
             if (side != NOWHERE)
                 count[side]++;

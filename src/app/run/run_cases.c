@@ -144,17 +144,15 @@ static double peak(const struct thud_run_cases *cases, int i, int structure, int
 static int rows_of(const struct thud_run_cases *cases, int structure, enum peak of, int *first)
 {
     const struct thud_structure *p = &cases->item[0].scene.structure[structure];
-    const int floors = result_of(cases, 0)->structure[structure].floors, slabs = thud_structure_first_storey(p);
-    *first = of == DRIFT ? slabs : 0;
+    const int floors = result_of(cases, 0)->structure[structure].floors;
+    *first = of == DRIFT ? thud_structure_first_storey(p) : 0;
     switch (of) {
     case ISOLATOR:
-        return slabs;
-    case DRIFT:
-        return thud_kind_is_building(p->kind) ? floors - slabs : 0;
+        return p->kind == THUD_ISOLATED;
     case DEFLECTION:
         return p->kind == THUD_WALL ? floors : 0;
     default:
-        return floors;
+        return floors - *first;
     }
 }
 

@@ -77,7 +77,7 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     thud_text_padded(out, plan->scene.structure[structure].name, thud_scene_names_width(&plan->scene, NAME));
     put_span(&mean, "%5.3f", "", 14, out);
     thud_text_append(out, "  %5.3f on floor %-3d ", floor.most, floor.floor);
-    put_span(&drift, "%5.3f", "", 14, out);
+    put_span(&drift, "%5.3f", "  -", 14, out);
     thud_table_whole(out, place_of(plan, floor.at, at), 11);
     thud_text_append(out, "\n");
 }

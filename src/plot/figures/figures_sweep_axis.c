@@ -36,7 +36,8 @@ const char *thud_sweep_record_name(const struct thud_sweep_table *table, int rec
     const char *name = thud_path_name(table->record[record]), *dot = strrchr(name, '.');
     bool suffix = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') && !thud_ascii_is_digit(dot[1]);
     size_t length = suffix ? (size_t)(dot - name) : strlen(name);
-    snprintf(text, 128, "%.*s", (int)(length < 127 ? length : 127), name);
+    snprintf(text, 128, "%.*s", length == 0 ? 16 : (int)(length < 127 ? length : 127),
+             length == 0 ? "No ground motion" : name);
     return text;
 }
 
@@ -79,12 +80,26 @@ int thud_sweep_columns(const struct thud_sweep_table *table, int *structure)
     return n;
 }
 
+bool thud_sweep_has_ratio(const struct thud_sweep_table *table, enum thud_told told, int structure)
+{
+    return told != THUD_TOLD_DRIFT || !table->kind || thud_kind_is_building(table->kind[structure]);
+}
+
+int thud_sweep_ratio_rows(const struct thud_sweep_table *table)
+{
+    int rows = 1;
+    for (int s = 0; s < table->nstructures; s++)
+        if (thud_sweep_has_ratio(table, THUD_TOLD_DRIFT, s))
+            rows = THUD_TOLD_RATIOS;
+    return rows;
+}
+
 const char *thud_sweep_structure_title(const struct thud_sweep_table *table, int structure, char text[160])
 {
     const char *name = table->structure[structure];
     bool isolated = table->kind && table->kind[structure] == THUD_ISOLATED;
     int storeys = thud_sweep_floors(table, structure) - isolated;
-    if ((table->kind && table->kind[structure] == THUD_RIGID) || storeys < 1)
+    if ((table->kind && !thud_kind_is_building(table->kind[structure])) || storeys < 1)
         snprintf(text, 160, "%s", name);
     else if (strlen(name) <= 2)
         snprintf(text, 160, "%d-storey building %s%s", storeys, name, isolated ? ", isolated" : "");

@@ -48,6 +48,9 @@ void thud_sweep_curves(struct thud_panel *panel, const struct thud_sweep_table *
 
 /* By its event; else the last part of its file's path without the suffix: what fits a key. */
 const char *thud_sweep_record_name(const struct thud_sweep_table *table, int record, char text[128]);
+/* Whether a structure has this ratio (walls and bodies have no drifts), and the rows of panels of those that have. */
+bool thud_sweep_has_ratio(const struct thud_sweep_table *table, enum thud_told told, int structure);
+int thud_sweep_ratio_rows(const struct thud_sweep_table *table);
 /* "4-storey building A" where A is a letter or two, else "Annex, 4 storeys". */
 const char *thud_sweep_structure_title(const struct thud_sweep_table *table, int structure, char text[160]);
 /* What a figure of ratios shows, for its title. */

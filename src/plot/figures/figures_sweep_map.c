@@ -75,9 +75,10 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
              thud_sweep_amplification(table, which, amplified));
     for (int a = 2; a < table->naxes; a++)
         thud_append(text, sizeof text, ", %s %s", table->axis[a].key, table->axis[a].text[at ? at[a] : 0]);
-    struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
+    struct thud_figure *figure =
+        thud_figure_create(name, text, thud_sweep_ratio_rows(table), columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
-        for (int q = 0; q < THUD_TOLD_RATIOS; q++) {
+        for (int q = 0; q < THUD_TOLD_RATIOS && thud_sweep_has_ratio(table, (enum thud_told)q, structure[c]); q++) {
             snprintf(text, sizeof text, "%s: %s", thud_sweep_structure_title(table, structure[c], head),
                      q == THUD_TOLD_DRIFT ? "drifts" : "accelerations");
             struct thud_panel *panel = thud_figure_panel(figure, q, c, text);

@@ -28,12 +28,14 @@ const char *thud_sweep_amplification(const struct thud_sweep_table *table, enum 
     return text;
 }
 
-/* Panel p, by quantity and structure; of case none: to no pounding. */
+/* Panel p, by quantity and structure; of case none: to no pounding. NULL: the structure has no storeys that drift. */
 static struct thud_panel *ratio_panel(struct thud_figure *figure, const struct thud_sweep_table *table, int p,
                                       int structure, enum thud_case which)
 {
     char title[160];
     const int columns = figure ? figure->columns : 1;
+    if (!thud_sweep_has_ratio(table, (enum thud_told)(p / columns), structure))
+        return NULL;
     struct thud_panel *panel =
         thud_figure_panel(figure, p / columns, p % columns, thud_sweep_structure_title(table, structure, title));
     thud_sweep_axis_of(panel, THUD_X, table, 0);
@@ -52,8 +54,9 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
     char text[512], head[160], amplified[THUD_SWEEP_TITLE];
     snprintf(text, sizeof text, "%s: %s, floor by floor", thud_sweep_record_name(table, record, head),
              thud_sweep_amplification(table, which, amplified));
-    struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
-    for (int p = 0; p < 2 * columns; p++) {
+    struct thud_figure *figure =
+        thud_figure_create(name, title ? title : text, thud_sweep_ratio_rows(table), columns > 0 ? columns : 1);
+    for (int p = 0; p < thud_sweep_ratio_rows(table) * columns; p++) {
         const int of = structure[p % columns], floors = thud_sweep_floors(table, of),
                   step = (floors + THUD_SWEEP_CURVES_MAX - 1) / THUD_SWEEP_CURVES_MAX;
         assert(floors > 0);
@@ -100,8 +103,9 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
     else
         snprintf(text, sizeof text, "A%s, means over the floors",
                  thud_sweep_amplification(table, which, amplified) + 1);
-    struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
-    for (int p = 0; p < 2 * columns; p++) {
+    struct thud_figure *figure =
+        thud_figure_create(name, title ? title : text, thud_sweep_ratio_rows(table), columns > 0 ? columns : 1);
+    for (int p = 0; p < thud_sweep_ratio_rows(table) * columns; p++) {
         struct thud_panel *panel = ratio_panel(figure, table, p, structure[p % columns], which);
         struct thud_wanted wanted = {
             .which = which, .told = (enum thud_told)(p / columns), .structure = structure[p % columns]};
@@ -145,8 +149,9 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
     char text[512], head[160];
     snprintf(text, sizeof text, "%s: means over the floors, ratio to no pounding",
              thud_sweep_record_name(table, record, head));
-    struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
-    for (int p = 0; p < 2 * columns; p++)
+    struct thud_figure *figure =
+        thud_figure_create(name, text, thud_sweep_ratio_rows(table), columns > 0 ? columns : 1);
+    for (int p = 0; p < thud_sweep_ratio_rows(table) * columns; p++)
         thud_sweep_curves(ratio_panel(figure, table, p, structure[p % columns], THUD_CASE_NONE), table,
                           (struct thud_wanted){.record = record,
                                                .told = (enum thud_told)(p / columns),

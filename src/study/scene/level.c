@@ -30,12 +30,12 @@ int thud_structure_floors(const struct thud_structure *s)
 
 int thud_structure_first_storey(const struct thud_structure *structure)
 {
-    return structure->kind == THUD_ISOLATED;
+    return thud_kind_is_building(structure->kind) ? structure->kind == THUD_ISOLATED : thud_structure_floors(structure);
 }
 
 int thud_structure_storey(const struct thud_structure *structure, int floor)
 {
-    return floor + 1 - thud_structure_first_storey(structure);
+    return floor + (structure->kind != THUD_ISOLATED);
 }
 
 const char *thud_structure_level_name(const struct thud_structure *structure, int floor, bool storey, char text[24])

@@ -11,7 +11,7 @@
 
 /* ---- readers ---- */
 
-/* The floors of a structure in case k of a variant: all, or those above storeys (a row of isolators is none). */
+/* The floors of a structure in case k of a variant: all, or those above storeys (isolators and walls are none). */
 static const struct thud_sweep_floor *floors_of(const struct thud_sweep_point *p, int variant, int k, int structure,
                                                 bool storeys, int *n)
 {
@@ -66,6 +66,8 @@ static double floor_of(const struct thud_sweep_point *p, int variant, int k, con
     double sum = 0;
     int n = 0, rows;
     const struct thud_sweep_floor *x = floors_of(p, variant, k, structure, floor == 0 && info->of_storeys, &rows);
+    if (info->of_storeys && p->first_storey[structure] == p->floors[structure]) /* a wall or body */
+        return NAN;
     if (floor > 0)
         return field_of(&x[floor - 1], info);
     for (int i = 0; i < rows; i++) {
@@ -109,7 +111,7 @@ static double isolator(const struct thud_measured_run *run, const struct thud_me
 {
     int n;
     const struct thud_sweep_floor *floor = floors_of(run->point, 0, run->k, structure, false, &n);
-    return run->point->first_storey[structure] > 0 ? fabs(field_of(floor, info)) : (double)NAN;
+    return run->scene->structure[structure].kind == THUD_ISOLATED ? fabs(field_of(floor, info)) : (double)NAN;
 }
 
 /* The largest drift over its storey's height. */

@@ -162,11 +162,12 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
             const double factor = kind ? 1e3 : 1.0;
             char label[200], name[160];
             const struct thud_structure *structure = &tui->doc.scene.structure[tui->interface + s];
+            if (kind > 0 && !thud_kind_is_building(structure->kind)) {
+                y--;
+                continue;
+            }
             if (structure->kind == THUD_WALL && !thud_wall_gives(structure)) {
-                if (kind == 0)
-                    thud_field_note(pane, y, "%s moves with the ground", structure->name);
-                else
-                    y--;
+                thud_field_note(pane, y, "%s moves with the ground", structure->name);
                 continue;
             }
             thud_utf8_fit(structure->name, layout.name, name, sizeof name);
