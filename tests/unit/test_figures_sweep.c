@@ -275,6 +275,7 @@ START_TEST(every_figure_against_the_gap_has_its_line)
         struct sample *s = malloc(sizeof *s);
         fill(s, map ? 2 : 1);
         s->table.need = need;
+        s->table.measures = THUD_HAS_BUMPER;
         need[1].level.relative_displacement_m = beyond ? 0.4 : 0.17;
         if (turned) {
             strcpy(s->axis[0].key, "bumper.cavity");

@@ -9,8 +9,9 @@
 void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis);
 double thud_varied_factor(const struct thud_sweep_axis *axis);
 
-/* Sentence on the line at the gap above which there is no contact. */
-extern const char thud_free_gap_words[];
+/* Adds the sentence on the line ("Vertical", "Level") at the gap above which there is no contact, of a scene with these
+ * measures; `links`: they act there. */
+void thud_figure_note_free_gap(struct thud_figure *figure, const char *line, int measures, bool links, bool several);
 
 /* Draws the amplification of peak floor accelerations and interstorey drifts against the first varied key, for one
  * record and case. There is a curve per floor and a column of panels per structure. Case `none` is relative to no

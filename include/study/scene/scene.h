@@ -456,6 +456,8 @@ int thud_scene_measures(const struct thud_scene *scene);
 const char *thud_case_title(int measures, enum thud_case which);
 /* Returns the title of the case without pounding, in which the links of the scene act or not. */
 const char *thud_case_free_title(bool links);
+/* Returns what ratios to it are to, in a scene with these measures: "no pounding, links act", "no pounding at all". */
+const char *thud_case_free_words(int measures, bool links);
 const char *thud_case_phrase(int measures, enum thud_case which);
 /* Returns the subject of what a case does: "bumper", "bumper in a cavity", "links", as written all that the scene has:
  * "bumper and links"; *verb gets the ending of its verb, "s" or "". */

@@ -8,7 +8,7 @@
 #include "study/sweep/measure.h"
 #include "study/sweep/sweep.h"
 
-/* Ratios to case `none`, and to no pounding, as in struct thud_sweep_row. */
+/* Ratios to case `none`, and to no pounding (`free_links`), as in struct thud_sweep_row. */
 struct thud_sweep_ratio {
     double acceleration, drift, acceleration_free, drift_free;
 };
@@ -39,8 +39,9 @@ struct thud_sweep_summary {
 
 struct thud_sweep_table {
     int nrecords, nstructures, naxes;
-    int measures;       /* of the scene, for the names of cases */
-    double sensitivity; /* of the spread; 0: there is none */
+    int measures;                /* of the scene, for the names of cases */
+    bool free_links, need_links; /* links act in the motion without pounding of ratios, and of required gaps */
+    double sensitivity;          /* of the spread; 0: there is none */
     int motions; /* over how many ground motions the values are medians, low and high 16 and 84 %; 0: of one each */
     int draws;   /* number of independent motions: fewer than THUD_SHARES_LEAST have medians only */
     const char *const *record; /* (nrecords) names */

@@ -16,6 +16,8 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
                                                  .nstructures = plan->scene.nstructures,
                                                  .naxes = plan->naxes,
                                                  .measures = thud_scene_measures(&plan->scene),
+                                                 .free_links = thud_case_has_links(thud_sweep_free_case(plan)),
+                                                 .need_links = thud_case_has_links(thud_sweep_need_case(plan)),
                                                  .sensitivity = plan->sensitivity,
                                                  .record = record,
                                                  .motion = plan->record,
@@ -38,13 +40,14 @@ static bool reserve(struct thud_sweep_collector *c)
 static void add_need(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
                      const struct thud_sweep_point *point)
 {
-    const struct thud_gap_level *decides = point->level;
+    const enum thud_case free = thud_sweep_need_case(plan);
+    const struct thud_gap_level *level = thud_sweep_levels(point, free), *decides = level;
     if (!thud_sweep_is_first(plan, point) || point->ncontacts == 0)
         return;
     for (int i = 1; i < point->ncontacts; i++)
-        if (point->level[i].relative_displacement_m > decides->relative_displacement_m)
-            decides = &point->level[i];
-    struct thud_sweep_need_row own = {.level = *decides, .fall = point->fall[0]};
+        if (level[i].relative_displacement_m > decides->relative_displacement_m)
+            decides = &level[i];
+    struct thud_sweep_need_row own = {.level = *decides, .fall = *thud_sweep_fall(point, free)};
     own.record = thud_sweep_place(plan, point->index, own.at);
     struct thud_sweep_need_row *most = &c->need[own.record], *least = most + c->table.nrecords;
     const struct thud_collapse fall = own.fall.happened ? own.fall : most->fall;

@@ -82,6 +82,12 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     thud_text_append(out, "\n");
 }
 
+/* Whether links act in the motion of a required gap, of a scene that has them. */
+static const char *linked(const struct thud_sweep_table *table)
+{
+    return !(table->measures & THUD_HAS_LINKS) ? "" : table->need_links ? "links act, " : "without links, ";
+}
+
 static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
                      struct thud_text *out)
 {
@@ -96,8 +102,8 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->level.interface);
     thud_contact_pair_name(worst->level.left_floor, worst->level.right_floor, worst->level.struck, pair, sizeof pair);
-    thud_text_append(&words, "required gap %.2f cm (%sfloors %s)",
-                     thud_table_gap_cm(worst->level.relative_displacement_m), interface, pair);
+    thud_text_append(&words, "required gap %.2f cm (%s%sfloors %s)",
+                     thud_table_gap_cm(worst->level.relative_displacement_m), linked(table), interface, pair);
     if (varies)
         thud_text_append(&words, " at %s", thud_sweep_setting(plan, plan->nouter, worst->at, -1, true, at, PLACE));
     thud_text_append(&words, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_ABS)),
@@ -244,10 +250,14 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
             enum thud_case which = plan->cases[k];
             if ((which == THUD_CASE_NONE && !bare) || !has_rows(table, r, which))
                 continue;
+            if (!head && bare && (table->measures & THUD_HAS_LINKS))
+                thud_text_append(out, "  over %s\n", thud_case_free_words(table->measures, table->free_links));
             if (!head)
                 thud_text_append(out, "  %-*s mean accel.     worst floor         mean drift        at\n",
                                  HEAD + thud_scene_names_width(&plan->scene, NAME),
-                                 bare ? "over no pounding" : "over case none");
+                                 !bare                              ? "over case none"
+                                 : table->measures & THUD_HAS_LINKS ? ""
+                                                                    : "over no pounding");
             head = true;
             for (int s = 0; s < table->nstructures; s++)
                 put_structure(plan, table, r, which, s, bare, out);

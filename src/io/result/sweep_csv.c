@@ -68,7 +68,8 @@ static const struct thud_column floors[] = {
     OF(ACCELERATION_RATIO, "acceleration_ratio", "Acceleration over that of case none at the same values."),
     OF(DRIFT_RATIO, "drift_ratio", "Drift over that of case none at the same values."),
     OF(DISPLACEMENT_RATIO, "displacement_ratio", "Displacement over that of case none at the same values."),
-    OF(ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "Acceleration over that without pounding."),
+    OF(ACCELERATION_FREE_RATIO, "acceleration_free_ratio",
+       "Acceleration over that without pounding; there links act if all cases of the study have them."),
     OF(DRIFT_FREE_RATIO, "drift_free_ratio", "Drift over that without pounding."),
     OF(DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "Displacement over that without pounding."),
     ENDS(ACCELERATION, "acceleration", "_mps2", ", m/s2"),
@@ -179,7 +180,8 @@ const struct thud_schema thud_need_schema = THUD_SCHEMA(
     "needed-gaps.csv",
     "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe smallest gap at which two "
     "floors do not touch, and the gaps of the\ncombination rules: one row for each ground motion and pair of "
-    "floors.\nFor a sweep, the varied keys that change the motion without pounding follow.\n",
+    "floors.\nLinks act there unless no case of the study has them.\nFor a sweep, the varied keys that change the "
+    "motion without pounding follow.\n",
     needs);
 
 struct thud_need_fields thud_need_fields_of(const struct thud_gap_level *level, const char *record)
@@ -271,7 +273,8 @@ static void make_contact(const struct form *form, int i, void *out)
 
 static void make_need(const struct form *form, int i, void *out)
 {
-    *(struct thud_need_fields *)out = thud_need_fields_of(&form->point->level[i], form->record);
+    *(struct thud_need_fields *)out =
+        thud_need_fields_of(&thud_sweep_levels(form->point, thud_sweep_need_case(form->plan))[i], form->record);
 }
 
 static int count_rows(const struct form *form)

@@ -174,7 +174,7 @@ struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan,
     }
     thud_figure_note(figure, note);
     if (line)
-        thud_figure_note(figure, thud_free_gap_words);
+        thud_figure_note_free_gap(figure, "Vertical", thud_scene_measures(&plan->scene), false, true);
     return figure;
 }
 

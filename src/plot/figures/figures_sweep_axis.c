@@ -80,6 +80,15 @@ int thud_sweep_columns(const struct thud_sweep_table *table, int *structure)
     return n;
 }
 
+const char *thud_sweep_helps(const struct thud_sweep_table *table, enum thud_case which, char text[THUD_SWEEP_TITLE])
+{
+    const char *ending;
+    const enum thud_case of = which == THUD_CASE_CAVITY ? THUD_CASE_BUMPER : which;
+    const char *subject = thud_case_subject(table->measures, of, &ending);
+    snprintf(text, THUD_SWEEP_TITLE, "%s help%s", subject, ending);
+    return text;
+}
+
 bool thud_sweep_has_ratio(const struct thud_sweep_table *table, enum thud_told told, int structure)
 {
     return told != THUD_TOLD_DRIFT || !table->kind || thud_kind_is_building(table->kind[structure]);
@@ -191,20 +200,21 @@ void thud_sweep_axis_of(struct thud_panel *panel, enum thud_side side, const str
         thud_panel_mark(panel, side, at, at, "");
 }
 
-const char thud_free_gap_words[] =
-    "Vertical line: no contact without the bumper at this gap or wider, under any of the motions.";
+void thud_figure_note_free_gap(struct thud_figure *figure, const char *line, int measures, bool links, bool several)
+{
+    char text[160];
+    const bool acting = links && measures & THUD_HAS_LINKS;
+    snprintf(text, sizeof text, "%s line: no contact %s%sat this gap or wider%s.", line,
+             measures ? thud_case_phrase(measures, acting ? THUD_CASE_LINK : THUD_CASE_NONE) : "", measures ? " " : "",
+             several ? ", under any of the motions" : "");
+    thud_figure_note(figure, text);
+}
 
 void thud_sweep_note_gap(struct thud_figure *figure, const struct thud_sweep_table *table, int axes)
 {
     const bool several = table->nrecords > 1 || table->motions > 1, across = !isnan(free_gap(table, 0));
-    if (across)
-        thud_figure_note(figure, several ? thud_free_gap_words
-                                         : "Vertical line: no contact without the bumper at this gap or wider.");
-    else if (axes > 1 && !isnan(free_gap(table, 1)))
-        thud_figure_note(
-            figure, several
-                        ? "Level line: no contact without the bumper at this gap or wider, under any of the motions."
-                        : "Level line: no contact without the bumper at this gap or wider.");
+    if (across || (axes > 1 && !isnan(free_gap(table, 1))))
+        thud_figure_note_free_gap(figure, across ? "Vertical" : "Level", table->measures, table->need_links, several);
 }
 
 void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_table *table, bool shaded)

@@ -57,6 +57,8 @@ const char *thud_sweep_structure_title(const struct thud_sweep_table *table, int
 enum { THUD_SWEEP_TITLE = 80 };
 const char *thud_sweep_amplification(const struct thud_sweep_table *table, enum thud_case which,
                                      char text[THUD_SWEEP_TITLE]);
+/* "bumper helps", "bumper and links help": who lowers ratios below 1. */
+const char *thud_sweep_helps(const struct thud_sweep_table *table, enum thud_case which, char text[THUD_SWEEP_TITLE]);
 
 bool thud_sweep_has_case(const struct thud_sweep_table *table, enum thud_case which);
 int thud_sweep_floors(const struct thud_sweep_table *table, int structure);

@@ -70,7 +70,7 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
 {
     int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
     bool free = which == THUD_CASE_NONE;
-    char text[768], head[160], amplified[THUD_SWEEP_TITLE], ratio[80];
+    char text[768], head[160], amplified[THUD_SWEEP_TITLE], helps[THUD_SWEEP_TITLE], ratio[200];
     snprintf(text, sizeof text, "%s: %s, means over the floors", thud_sweep_record_name(table, record, head),
              thud_sweep_amplification(table, which, amplified));
     for (int a = 2; a < table->naxes; a++)
@@ -95,10 +95,13 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
     }
     same_colors(figure);
     bool line = thud_axis_has_numbers(&table->axis[0]) && thud_axis_has_numbers(&table->axis[1]);
-    snprintf(ratio, sizeof ratio, "Ratio to %s at the same gap; blue: the %s;",
-             thud_case_title(table->measures, THUD_CASE_NONE), which == THUD_CASE_LINK ? "links help" : "bumper helps");
-    snprintf(text, sizeof text, "%s%s%s", free ? "Ratio to no pounding; red: pounding harms;" : ratio,
-             line ? " line: ratio 1 where there is contact;" : "",
+    if (free)
+        snprintf(ratio, sizeof ratio, "Ratio to %s; red: pounding harms;",
+                 thud_case_free_words(table->measures, table->free_links));
+    else
+        snprintf(ratio, sizeof ratio, "Ratio to %s at the same gap; blue: the %s;",
+                 thud_case_title(table->measures, THUD_CASE_NONE), thud_sweep_helps(table, which, helps));
+    snprintf(text, sizeof text, "%s%s%s", ratio, line ? " line: ratio 1 where there is contact;" : "",
              " dots: above 1.01; white: no change; empty: no result.");
     thud_figure_note(figure, text);
     thud_sweep_note_gap(figure, table, 2);

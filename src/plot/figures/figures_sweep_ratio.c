@@ -6,13 +6,20 @@
 
 static void note_ratio(struct thud_figure *figure, const struct thud_sweep_table *table, enum thud_case which)
 {
-    char text[96];
+    char text[160], helps[THUD_SWEEP_TITLE];
     snprintf(text, sizeof text, "Ratio to %s at the same gap; below 1 the %s.",
-             thud_case_title(table->measures, THUD_CASE_NONE), which == THUD_CASE_LINK ? "links help" : "bumper helps");
+             thud_case_title(table->measures, THUD_CASE_NONE), thud_sweep_helps(table, which, helps));
     thud_figure_note(figure, text);
 }
 
-static const char pounds[] = "Ratio to no pounding at all; above 1 pounding harms.";
+/* Whether the links of a scene act without pounding: "no pounding, links act". */
+static void note_free(struct thud_figure *figure, const struct thud_sweep_table *table)
+{
+    char text[96];
+    snprintf(text, sizeof text, "Ratio to %s; above 1 pounding harms.",
+             thud_case_free_words(table->measures, table->free_links));
+    thud_figure_note(figure, text);
+}
 
 /* What a figure of ratios shows, for its title. */
 const char *thud_sweep_amplification(const struct thud_sweep_table *table, enum thud_case which,
@@ -32,7 +39,7 @@ const char *thud_sweep_amplification(const struct thud_sweep_table *table, enum 
 static struct thud_panel *ratio_panel(struct thud_figure *figure, const struct thud_sweep_table *table, int p,
                                       int structure, enum thud_case which)
 {
-    char title[160];
+    char title[160], helps[THUD_SWEEP_TITLE];
     const int columns = figure ? figure->columns : 1;
     if (!thud_sweep_has_ratio(table, (enum thud_told)(p / columns), structure))
         return NULL;
@@ -41,7 +48,7 @@ static struct thud_panel *ratio_panel(struct thud_figure *figure, const struct t
     thud_sweep_axis_of(panel, THUD_X, table, 0);
     thud_panel_axis(panel, THUD_Y, thud_sweep_ratio_label[p / columns], "");
     if (which != THUD_CASE_NONE)
-        thud_panel_mark(panel, THUD_Y, 0.0, 1.0, which == THUD_CASE_LINK ? "links help" : "bumper helps");
+        thud_panel_mark(panel, THUD_Y, 0.0, 1.0, thud_sweep_helps(table, which, helps));
     thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
     return panel;
 }
@@ -83,7 +90,7 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
     }
     thud_sweep_same_scale(figure, NULL);
     if (free)
-        thud_figure_note(figure, pounds);
+        note_free(figure, table);
     else
         note_ratio(figure, table, which);
     thud_sweep_note_shades(figure, table, table->motions == 0);
@@ -158,7 +165,7 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
                                                .structure = structure[p % columns],
                                                .free = true});
     thud_sweep_same_scale(figure, NULL);
-    thud_figure_note(figure, pounds);
+    note_free(figure, table);
     if (table->motions > 0)
         thud_sweep_note_shades(figure, table, true);
     thud_sweep_note_rest(figure, table);

@@ -60,6 +60,13 @@ const char *thud_case_free_title(bool links)
     return links ? "no pounding, links act" : thud_case_title(0, THUD_CASE_FREE);
 }
 
+const char *thud_case_free_words(int measures, bool links)
+{
+    if (!(measures & THUD_HAS_LINKS))
+        return "no pounding at all";
+    return links ? thud_case_free_title(true) : "no pounding, without links";
+}
+
 const char *thud_case_phrase(int measures, enum thud_case which)
 {
     return words_of(measures, which)->phrase;

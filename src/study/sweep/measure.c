@@ -86,7 +86,7 @@ static bool collapses_free(const struct thud_sweep_point *p)
     for (int k = 0; k < p->ncases; k++)
         if (!p->effort[k].reference && !thud_case_has_links(p->which[k]))
             alone = THUD_CASE_NONE;
-    return p->fall[thud_sweep_linkage(p->nlinkages, alone)].happened;
+    return thud_sweep_fall(p, alone)->happened;
 }
 
 double thud_measure_of_floor(const struct thud_sweep_point *point, int variant, int k,

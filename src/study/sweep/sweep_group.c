@@ -70,6 +70,14 @@ enum thud_case thud_sweep_free_case(const struct thud_sweep_plan *plan)
     return THUD_CASE_AS_WRITTEN;
 }
 
+enum thud_case thud_sweep_need_case(const struct thud_sweep_plan *plan)
+{
+    for (int i = 0; i < plan->ncases; i++)
+        if (thud_case_has_links(plan->cases[i]))
+            return THUD_CASE_AS_WRITTEN;
+    return THUD_CASE_NONE;
+}
+
 /* Baseline g of a linkage from the first point's scene; *cased: scratch. */
 static enum thud_status build_baseline(struct thud_sweep_group *group, int linkage, int g, int record,
                                        const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)

@@ -490,3 +490,8 @@ const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *po
 {
     return point->level + thud_sweep_linkage(point->nlinkages, which) * point->ncontacts;
 }
+
+const struct thud_collapse *thud_sweep_fall(const struct thud_sweep_point *point, enum thud_case which)
+{
+    return &point->fall[thud_sweep_linkage(point->nlinkages, which)];
+}

@@ -52,10 +52,6 @@ static inline const struct thud_sweep_baseline *thud_sweep_baseline(const struct
                            [variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
 }
 
-/* The case whose baseline is the motion without pounding that a plan's ratios are to: with the links where every case
- * has them. */
-enum thud_case thud_sweep_free_case(const struct thud_sweep_plan *plan);
-
 /* Floors of all structures, which have peaks; the dofs of foundations have none. */
 static inline int thud_sweep_floor_count(const struct thud_model *model)
 {
