@@ -51,6 +51,8 @@
     is "its equations" grep -q 'sways by u.*_f and rocks by t[.] Springs and dashpots act under it' "$tmp/r/report.md"
     is "its inputs" grep -q '^| shear-wave velocity | 200 m/s | foundation.vs |' "$tmp/r/report.md"
     is "what is left out" grep -q 'Soil that yields, foundations that lift off' "$tmp/r/report.md"
+    is "the run beside it" gives 0 run towers-on-soil --quiet
+    is "how far each foundation moves, as in the run" [ "$(sed -n 's/^- Foundation of B, .*: base shear \(.*\) MN, sway \(.*\) mm, rotation \(.*\) mrad .*/\1 \2 \3/p' "$tmp/r/report.md")" = "$(awk '/^B: T1/ { for (i = 1; i < NF; i++) if ($i == "shear") v = $(i + 1); on = 1 } on && /^foundation:/ { printf "%.1f %.2f %.2f\n", v, $3, $9; exit }' "$tmp/out")" ]
     is "its drawing" grep -q 'a drawing of foundation on soil, soil against rocking, soil against sway' "$tmp/r/report.md"
     is "soil that is not known" gives 0 uncertainty towers-on-soil --samples 0 --case none
     is "is an input" shows 'soil-stiffness.B by a factor of 1.5'

@@ -63,6 +63,7 @@ is "show their deflections, which are no drifts of storeys" sh -c "grep -A2 '^we
 # shellcheck disable=SC2086 # several words
 is "and a report" gives 0 report $scene --to 12s --samples 0 --no-simplify --no-pdf --quiet -o "$tmp/report" $rubber
 is "counts the storeys of the building" grep -q '^| effect of the bumper | .* of 7 floor accelerations and [0-4] of 4 storey drifts' "$tmp/report/report.md"
+is "and has the force of the soil that a run has" sh -c "'$THUD' run $scene --to 12s --case bumper --quiet $rubber | awk '/west moat-ground backfill/ { printf \"%.0f %.3g\", \$5, \$7 }' >'$tmp/force'; [ -s '$tmp/force' ] && grep -q \"^- Soil behind west moat, with the bumper: largest force \$(cut -d' ' -f1 '$tmp/force') kN, stroke \$(cut -d' ' -f2 '$tmp/force') mm, energy dissipated [1-9]\" '$tmp/report/report.md'"
 is "a study of walls" sh -c "THUD_GNUPLOT='$tmp/gnuplot' '$THUD' sweep $scene --to 12s --vary interfaces.1.gap=24cm:26cm:2cm --quiet -o '$tmp/study' >'$tmp/out' 2>&1; [ -s '$tmp/study/sweep.csv' ]"
 # rows of the two walls and the means over them: deflections, and neither drifts nor their ratios
 is "has deflections of walls, and drifts of storeys alone" [ "$(awk -F, '$4 ~ /moat/ { walls++; empty += $7 == "" && $10 == "" && $13 == "" && $8 > 0.001 } $4 == "isolated" { storeys += $7 > 0 && $13 > 0 } END { print walls, empty, storeys }' "$tmp/study/sweep.csv")" = "8 8 12" ]

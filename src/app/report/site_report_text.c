@@ -152,16 +152,37 @@ static void say_columns(struct site *site)
                        thud_site_columns(site, &own->column[most], name, sizeof name), said, limit);
 }
 
+/* Links, and after them the soil behind walls. */
 static void say_links(struct site *site)
 {
-    for (int i = 0; i < site->scene->nlinks; i++) {
+    for (int i = 0; i < site->own->result->nlinks; i++) {
         const struct thud_link_result *l = &site->own->result->link[i];
-        char name[2 * THUD_NAME_MAX];
+        const int wall = thud_link_wall(site->scene, i);
+        char name[2 * THUD_NAME_MAX], of[3 * THUD_NAME_MAX];
         thud_link_name(site->scene, i, name, sizeof name);
-        thud_document_item(
-            &site->document, "Link %d, %s (%s), %s: largest force %s kN, stroke %s mm, energy dissipated %s kJ.", i + 1,
-            name, thud_link_law_name(site->scene, i), site->own->words, thud_site_number(1e-3 * l->force.value, 3).text,
-            thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
+        if (wall < 0)
+            snprintf(of, sizeof of, "Link %d, %s (%s)", i + 1, name, thud_link_law_name(site->scene, i));
+        else
+            snprintf(of, sizeof of, "Soil behind %s", thud_site_name(site, wall));
+        thud_document_item(&site->document, "%s, %s: largest force %s kN, stroke %s mm, energy dissipated %s kJ.", of,
+                           site->own->words, thud_site_number(1e-3 * l->force.value, 3).text,
+                           thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
+    }
+}
+
+/* What soil makes of the ground under a building: the base shear, and how far its foundation moves. */
+static void say_foundations(struct site *site)
+{
+    for (int s = 0; s < site->scene->nstructures; s++) {
+        const struct thud_structure_result *r = &site->own->result->structure[s];
+        if (r->foundation)
+            thud_document_item(
+                &site->document,
+                "Foundation of %s, %s: base shear %s MN, sway %s mm, rotation %s mrad (%s mm at the roof).",
+                thud_site_name(site, s), site->own->words, thud_site_number(1e-6 * r->base_shear.value, 3).text,
+                thud_site_number(1e3 * r->foundation[0].displacement.value, 3).text,
+                thud_site_number(1e3 * r->foundation[1].displacement.value / r->arm_m, 3).text,
+                thud_site_number(1e3 * r->foundation[1].displacement.value, 3).text);
     }
 }
 
@@ -205,6 +226,7 @@ static void say_results(struct site *site)
         say_yielding(site, s);
     say_columns(site);
     say_links(site);
+    say_foundations(site);
     say_reversed(site);
     if (!site->suite.leads) /* whose samples are over its motions */
         thud_site_samples_summary(site);
