@@ -32,6 +32,8 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     ok "a first period is one of the preset" $?
     grep -q '^    from: A.5$' "$tmp/b.yaml" && grep -q '^    to: B.4$' "$tmp/b.yaml"
     ok "a damper is between floors of one level: of an isolated building the slab is the first" $?
+    grep -A3 '^links' "$tmp/b.yaml" | grep -q 'law: dashpot' && ! grep -A4 '^links' "$tmp/b.yaml" | grep -q 'stiffness:' && "$THUD" run "$tmp/b.yaml" --record kobe-surrogate.csv --to 5s --json --quiet 2>"$tmp/err" | grep -q '"law": "dashpot"'
+    ok "and a dashpot" $?
     # 5 % of the weight of 5 x 302.5 t
     grep -q 'strength: 741.6 kN' "$tmp/b.yaml"
     ok "bearings are those of the floors in a list" $?

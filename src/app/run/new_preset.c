@@ -293,8 +293,8 @@ static void damper(const struct thud_new_preset *preset, struct thud_text *out)
         return;
     value_of(preset, THUD_NEW_DAMPER, 0, damping, sizeof damping);
     thud_text_append(out,
-                     "links:\n  - law: spring\n    from: A.%d\n    to: B.%d\n"
-                     "    stiffness: 0 MN/m # above 0 for a tie\n    damping: %s\n",
+                     "links:\n  - law: dashpot # spring: a tie, with a stiffness\n    from: A.%d\n    to: B.%d\n"
+                     "    damping: %s\n",
                      floor + is_isolated(preset->text[THUD_NEW_KIND][0]),
                      floor + is_isolated(preset->text[THUD_NEW_KIND][1]), damping);
 }
