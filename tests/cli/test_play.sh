@@ -43,8 +43,11 @@ is "with usual values" [ "$(sed -n '/^links:/,$s/^ *- *//p; /^links:/,$s/^    *\
 printf 'set gap 0.3 ft\nundo\nset contact.stiffness 1.7 kip/in\n' >feet
 is "values in other units" gives 0 towers --play feet
 is "come back as the decimals that they are" shows '^Undone: gap 10 cm -> 9.144 cm$'
-is "those that are no short ones are rounded" sh -c "printf 'set contact.stiffness 1.7 kip/in\nundo\n' >kip && '$THUD' towers --play kip | grep -qx 'Undone: contact.stiffness 2500 kN/mm -> 0.297716 kN/mm'"
 is "and are called as they were typed" shows '^! stiffness 1.7 kip/in is unusual '
+is "those that are no short ones keep the unit in which they are" sh -c "printf 'set contact.stiffness 1.7 kip/in\nundo\n' >kip && '$THUD' towers --play kip | grep -qx 'Undone: contact.stiffness 2500 kN/mm -> 1.7 kip/in'"
+printf 'set structures.2.mass 2.1 kip s2/in\nset structures.1.stiffness.2 3426.5 kip/in\nset bumper.stiffness 12 kip/in^2.65\nset contact.stiffness 14000 kip/in\nwrite kip.yaml\n' >kip
+is "a preset has them as they were typed" sh -c "'$THUD' towers --play kip >out 2>err; grep -c 'mass: \[2.1 kip s2/in, 2.1 kip s2/in\|stiffness: \[600 MN/m, 3426.5 kip/in\|stiffness: 12 kip/in^2.65 # \|stiffness: 14000 kip/in$' kip.yaml | grep -qx 4"
+is "and is the scene of these values" sh -c "'$THUD' run kip.yaml --to 5s --quiet --csv >written && '$THUD' run towers --to 5s --quiet --csv --set 'structures.2.mass=2.1 kip s2/in' --set 'structures.1.stiffness.2=3426.5 kip/in' --set 'bumper.stiffness=12 kip/in^2.65' --set 'contact.stiffness=14000 kip/in' >typed && cmp written typed"
 
 printf 'open towers\nshow\nshow screen.svg\nshow no/screen.svg\n' >shot
 is "a picture into a folder that is not there is refused" gives 6 --play shot

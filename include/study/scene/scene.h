@@ -399,6 +399,10 @@ enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path
  * Errors: THUD_INPUT (no such key, no such unit). */
 enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *path, const char *unit, char *text,
                                    unsigned long size, struct thud_error *err);
+/* Does the same, or where a number has more than nine digits there, as a factor between units leaves them, in the first
+ * unit of its dimension in which none has: 17 kip/in is 2.9771561991900983 MN/m. */
+enum thud_status thud_scene_get_short(const struct thud_scene *scene, const char *path, const char *unit, char *text,
+                                      unsigned long size, struct thud_error *err);
 /* Returns the described parameter of a path, with its floor index in *floor (-1: all); NULL: unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 /* Returns the rank of a key in the order of setting, by its last part, of `length`. Kind, law, varied key, number of

@@ -127,9 +127,9 @@ static void append_lines(struct saving *s, int node, struct thud_text *lines)
 /* Texts of a value before and after, in its shown unit; false where the scene to be saved has no such key. */
 static bool read_texts(struct saving *s, const char *path)
 {
-    if (thud_scene_get(&s->preset->scene, path, s->before, THUD_VALUE_MAX, NULL) != THUD_OK)
+    if (thud_scene_get_short(&s->preset->scene, path, NULL, s->before, THUD_VALUE_MAX, NULL) != THUD_OK)
         s->before[0] = '\0';
-    return thud_scene_get(s->now, path, s->after, THUD_VALUE_MAX, NULL) == THUD_OK;
+    return thud_scene_get_short(s->now, path, NULL, s->after, THUD_VALUE_MAX, NULL) == THUD_OK;
 }
 
 /* The unit a value was typed in, where what stands there now can be written in it; else NULL. */
@@ -154,7 +154,7 @@ static const char *typed_unit(const struct saving *s, int scalar, const char *pa
 static void replace_value(struct saving *s, int value, const char *path, const char *unit)
 {
     struct thud_text text = {0};
-    thud_scene_get_in(s->now, path, unit, s->after, THUD_VALUE_MAX, NULL);
+    thud_scene_get_short(s->now, path, unit, s->after, THUD_VALUE_MAX, NULL);
     thud_emit_value(&text, s->now, path, s->after, true);
     replace_node(s, value, &text);
 }
@@ -166,7 +166,7 @@ static void replace_list(struct saving *s, int list, const char *path, int store
     for (int i = 0; i < storeys; i++) {
         char item[PATH_BYTES + 16];
         snprintf(item, sizeof item, "%s.%d", path, i + 1);
-        thud_scene_get_in(s->now, item, unit, s->after, THUD_VALUE_MAX, NULL);
+        thud_scene_get_short(s->now, item, unit, s->after, THUD_VALUE_MAX, NULL);
         thud_text_append(&text, "%s%s", i ? ", " : "[", s->after);
     }
     thud_text_append(&text, "]");

@@ -60,7 +60,8 @@ bool thud_keys_next(struct thud_keys *keys)
     while (keys->next < keys->n) {
         keys->key = keys->all[keys->next++];
         thud_section_path(keys->section, keys->key, keys->path, sizeof keys->path);
-        if (thud_scene_get(keys->scene, keys->path, keys->text, THUD_VALUE_MAX, NULL) == THUD_OK && *keys->text)
+        if (thud_scene_get_short(keys->scene, keys->path, NULL, keys->text, THUD_VALUE_MAX, NULL) == THUD_OK &&
+            *keys->text)
             return true;
     }
     return false;
@@ -154,7 +155,7 @@ static bool as_anyway(struct thud_emit *emit, struct thud_section section, const
         return false;
     }
     thud_scene_init(fresh);
-    thud_scene_get(fresh, path, usual, sizeof usual, NULL);
+    thud_scene_get_short(fresh, path, NULL, usual, sizeof usual, NULL);
     free(fresh);
     return strcmp(usual, text) == 0;
 }

@@ -61,7 +61,8 @@ static void compare(void *context, const char *section, const char *key, const c
     int number;
     snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", key);
     if (strcmp(key, "title") == 0 || strcmp(key, "fitted") == 0 ||
-        (thud_scene_get(d->other, path, other, sizeof other, NULL) == THUD_OK && strncmp(other, value, 95) == 0))
+        (thud_scene_get_short(d->other, path, NULL, other, sizeof other, NULL) == THUD_OK &&
+         strncmp(other, value, 95) == 0))
         return;
     if (strncmp(path, only, strlen(only)) == 0)
         shown += strlen(only);

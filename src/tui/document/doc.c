@@ -234,14 +234,14 @@ enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char 
 {
     struct thud_scene next = doc->scene;
     char before[96] = "", after[96] = "", what[300], said[2][96];
-    thud_scene_get(&doc->scene, key, before, sizeof before, NULL);
+    thud_scene_get_short(&doc->scene, key, NULL, before, sizeof before, NULL);
     bring_back_building(doc, &next, key, text);
     enum thud_status status = set_value(&next, key, text, err);
     if (status == THUD_OK)
         status = thud_building_files_read(&next, doc->path, err);
     if (status != THUD_OK)
         return status;
-    thud_scene_get(&next, key, after, sizeof after, NULL);
+    thud_scene_get_short(&next, key, NULL, after, sizeof after, NULL);
     const char *only = "interfaces.1.";
     bool bare = doc->scene.nstructures == 2 && strncmp(key, only, strlen(only)) == 0;
     snprintf(what, sizeof what, "%.100s %.60s -> %.60s", bare ? key + strlen(only) : key,
