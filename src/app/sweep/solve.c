@@ -252,7 +252,8 @@ void thud_solve_report(const struct thud_solve *solve, struct thud_text *out)
         else
             thud_text_append(out, "%-20s  %d of %d%s\n", t->value, t->held, t->motions, holds(solve, t) ? "" : "  no");
     }
-    thud_text_append(out, "\nNothing is known between tried values: a change and its way back may lie there.\n");
+    thud_text_append(out, "\nOnly these values were tried. Where two in a row agree, the criterion may still\n"
+                          "change twice between them. A smaller range of --by tries more values there.\n");
 }
 
 static struct thud_rows tried_of(const struct thud_solve *solve, struct thud_array *all)
