@@ -132,6 +132,9 @@ gap_of() { "$THUD" gap "$@" $one --csv 2>"$tmp/err" | awk -F, 'NR == 1 { for (i 
 is "without links" [ "$(study none | tr '\n' ' ')" = "$(gap_of towers) without links Ratio to no pounding, without links; no contact without the bumper and links at this " ]
 is "also with a bumper" [ "$(study none,bumper | sed -n 1p)" = "$(gap_of towers) without links" ]
 is "with links" [ "$(study link | tr '\n' ' ')" = "$(gap_of "$tmp/p.yaml") links act Ratio to no pounding, links act; no contact with the links and without the bumper at this " ]
+# shellcheck disable=SC2086
+uncertain() { "$THUD" uncertainty "$tmp/p.yaml" --case "$1" --samples 0 $one 2>"$tmp/err" | sed -n 's/^required gap cm *\([0-9.]*\)$/\1/p'; }
+is "so does a study of uncertain inputs" [ "$(uncertain none) $(uncertain link)" = "$(gap_of towers) $(gap_of "$tmp/p.yaml")" ]
 is "periods" gives 0 building $scene --quiet
 is "are those without the links, and it is said" shows '^T1, T2, T3: periods of each without the links$'
 is "not where there are none" sh -c "! '$THUD' building towers | grep -q 'without the links'"
