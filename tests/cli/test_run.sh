@@ -160,6 +160,8 @@ titles run towers-kaikoura
 is "of a recorded one none" [ "$(grep -l 'synthetic' "$tmp"/titles/*.gp | wc -l)" -eq 0 ]
 titles gap towers --records kobe-surrogate.csv,kaikoura-wtmc.csv
 is "of several how many" grep -q '(1 of 2 motions synthetic)' "$tmp/titles/needed-gap.gp"
+"$THUD" sweep towers --to 8s --records kaikoura-wtmc.csv,kobe-surrogate.csv --vary gap=8cm,9cm --cases none --format svg --quiet -o "$tmp/each" >"$tmp/out" 2>"$tmp/err"
+is "of one of several what it is" [ "$(grep -c '(synthetic motion)\|motions synthetic' "$tmp/each/pounding-1.gp") $(grep -c '(synthetic motion)' "$tmp/each/pounding-2.gp")" = "0 1" ]
 
 # the events: a free body on concrete touches at once, with F = c v, turns where its deepest point is, and is let go at F = 0
 column() { awk -F, -v event="$1" -v column="$2" '$7 == event { print $column; exit }' "$tmp/out"; }

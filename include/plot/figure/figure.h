@@ -111,7 +111,8 @@ struct thud_panel {
 struct thud_figure {
     const char *name; /* of its files, without a suffix: a-z, 0-9 and `-` */
     const char *title;
-    const char *note; /* footer; may be empty */
+    const char *note;                                                          /* footer; may be empty */
+    enum { THUD_MOTIONS, THUD_MOTION_RECORDED, THUD_MOTION_SYNTHETIC } motion; /* all of a study, or one and its kind */
     int rows, columns;
     struct thud_panel *panel; /* (rows x columns), row-major */
     bool failed;
@@ -136,6 +137,8 @@ void thud_figure_note(struct thud_figure *figure, const char *text);
 
 /* Sets words in brackets after the title; "": none. A NULL figure is ignored. */
 void thud_figure_title_add(struct thud_figure *figure, const char *text);
+/* Does the same with what the motions are, "1 of 2 motions synthetic"; a figure of one of them says it of that one. */
+void thud_figure_title_motions(struct thud_figure *figure, const char *motions);
 
 /* Returns a new panel; row and column from 0, from the top left. */
 struct thud_panel *thud_figure_panel(struct thud_figure *figure, int row, int column, const char *title);

@@ -96,7 +96,7 @@ enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *fol
     options = options ? options : &chosen;
     bool go_on = (before == THUD_OK || before == THUD_GNUPLOT) && !options->none;
     struct thud_error now = {0};
-    thud_figure_title_add(figure, options->motions);
+    thud_figure_title_motions(figure, options->motions);
     thud_figure_fit(figure, options);
     if (go_on && figure && options->drawing)
         options->drawing(NULL, figure);

@@ -209,7 +209,7 @@ struct thud_figure *thud_live_study_figure(struct thud_live_study *study, int in
     struct thud_figure *figure = make_figure(study, index);
     thud_synthetic_text(thud_records_synthetic(study->plan.record, study->records.n), study->records.n, motions,
                         sizeof motions);
-    thud_figure_title_add(figure, motions);
+    thud_figure_title_motions(figure, motions);
     return figure;
 }
 

@@ -102,6 +102,13 @@ void thud_figure_title_add(struct thud_figure *figure, const char *text)
     figure->title = title;
 }
 
+void thud_figure_title_motions(struct thud_figure *figure, const char *motions)
+{
+    if (figure && figure->motion != THUD_MOTIONS)
+        motions = figure->motion == THUD_MOTION_SYNTHETIC ? "synthetic motion" : "";
+    thud_figure_title_add(figure, motions);
+}
+
 void thud_figure_free(struct thud_figure *figure)
 {
     if (!figure)

@@ -113,6 +113,14 @@ int thud_sweep_figure_count(const struct thud_sweep_table *table)
     return l.ncases * (l.each + l.means) + l.last * table->nrecords;
 }
 
+/* Tells figures of one motion of several what it is. */
+static struct thud_figure *of_motion(struct thud_figure *figure, const struct thud_sweep_table *table, int record)
+{
+    if (figure && table->nrecords > 1 && table->motion && table->motion[record])
+        figure->motion = table->motion[record]->synthetic ? THUD_MOTION_SYNTHETIC : THUD_MOTION_RECORDED;
+    return figure;
+}
+
 struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index)
 {
     struct list l = list_of(table);
@@ -131,7 +139,7 @@ struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int 
         if (table->nrecords > 1)
             snprintf(number, sizeof number, "-%d", record + 1);
         snprintf(name, sizeof name, "%s%s", figures[which].name, number);
-        return figures[which].make(table, record, name);
+        return of_motion(figures[which].make(table, record, name), table, record);
     }
     int i = index % per_case;
     bool first = l.means && table->nrecords > 1; /* what several motions say together comes before each of them */
@@ -149,6 +157,7 @@ struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int 
         slices(table, i % l.slices, at);
     snprintf(name, sizeof name, "%s-%s%s%s", table->naxes == 1 ? "floors" : "map", thud_case_name(l.which[c]), number,
              slice);
-    return table->naxes == 1 ? thud_figure_by_floor(table, record, l.which[c], name, NULL)
-                             : thud_figure_of_map(table, record, l.which[c], at, name);
+    return of_motion(table->naxes == 1 ? thud_figure_by_floor(table, record, l.which[c], name, NULL)
+                                       : thud_figure_of_map(table, record, l.which[c], at, name),
+                     table, record);
 }
