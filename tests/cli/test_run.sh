@@ -296,6 +296,9 @@ gives 0 run towers --json --record "$tmp/column.txt" --dt "0.01 s" --unit g
 is "--record, --dt, --unit" near "$(number peak_mps2)" 7.84532 1e-12
 is "an unusual value is told and taken" gives 0 run rigid-concrete --set contact.restitution=0.99
 is "as a message with its key" says "interfaces.1.contact.restitution: 0.99 is unusual (usually 0.3 to 0.95)"
+is "and in the unit in which it is short" gives 0 run towers --to 8s --set 'structures.1.stiffness=[17 kip/in, 600 MN/m, 600 MN/m, 600 MN/m]'
+is "as typed" says 'structures.1.stiffness.1: 17 kip/in is unusual (usually 10 MN/m to 10000 MN/m)'
+is "a drift over a metre is a number of millimetres" says 'storey 1 of A reaches a drift of [0-9]* mm, [0-9]* % of its height'
 gives 0 run rigid-concrete --set contact.restitution=0.99 --quiet
 is "and quietly not" silent
 

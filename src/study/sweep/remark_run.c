@@ -97,10 +97,12 @@ void thud_remark_drift(const struct thud_remark_scope *scope, int i, struct thud
     double worst = thud_drift_ratio(s, &scope->result->structure[i], true, &storey);
     if (!(worst > drift_most))
         return;
+    char drift[32], part[32];
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "storey %d of %.40s reaches a drift of %.3g mm, %.2g %% of its height, but is modelled as elastic",
-                   storey, s->name, 1e3 * worst * s->height_m[storey - 1], 100 * worst);
+                   "storey %d of %.40s reaches a drift of %s mm, %s %% of its height, but is modelled as elastic",
+                   storey, s->name, thud_digits(1e3 * worst * s->height_m[storey - 1], 3, drift),
+                   thud_digits(100 * worst, 2, part));
     thud_error_allow(said, "buildings yield below %g %%", 100 * drift_most);
 }
 
@@ -160,12 +162,13 @@ void thud_remark_yielding(const struct thud_remark_scope *scope, int i, struct t
     if (!(worst >= 1))
         return;
     double drift_m = r->floor[storey + slab].drift.value;
+    char ductility[32], drift[32], part[32];
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "storey %d of %.40s reaches a ductility of %.3g and a drift of %.3g mm, %.2g %% of its height: a "
+                   "storey %d of %.40s reaches a ductility of %s and a drift of %s mm, %s %% of its height: a "
                    "real storey would lose strength, which is not modelled",
-                   storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m,
-                   100 * drift_m / s->height_m[storey]);
+                   storey + 1, s->name, thud_digits(r->storey[storey + slab].ductility, 3, ductility),
+                   thud_digits(1e3 * drift_m, 3, drift), thud_digits(100 * drift_m / s->height_m[storey], 2, part));
     thud_error_allow(said, "bilinear storeys are valid up to ductilities of %g and drifts of %g %%", ductility_most,
                      100 * yielding_drift_most);
 }
@@ -420,7 +423,7 @@ void thud_remark_presses(const struct thud_remark_scope *scope, int i, struct th
 void thud_remark_drifts(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     const struct thud_sweep_watch *w = scope->watch;
-    char where[400];
+    char where[400], part[32];
     (void)i;
     if (w->drifting == 0)
         return;
@@ -428,9 +431,10 @@ void thud_remark_drifts(const struct thud_remark_scope *scope, int i, struct thu
     where_text(scope->plan, w->drift.point, w->drift.which, where, sizeof where);
     thud_error_set(said, THUD_OK,
                    "drifts of storeys modelled as elastic exceed %g %% of their height in %ld of %ld runs: storey %d "
-                   "of %.40s reaches %.2g %% (%s)",
+                   "of %.40s reaches %s %% (%s)",
                    100 * drift_most, w->drifting, w->runs, w->drift.storey,
-                   scope->plan->scene.structure[w->drift.structure].name, 100 * w->drift.value, where);
+                   scope->plan->scene.structure[w->drift.structure].name, thud_digits(100 * w->drift.value, 2, part),
+                   where);
     thud_error_allow(said, "buildings yield below %g %%", 100 * drift_most);
 }
 

@@ -11,20 +11,21 @@
 #include "study/scene/solution.h"
 #include "study/sweep/remark_rows.h"
 
-static void look(struct thud_remarks *out, const struct thud_param *param, double value, const char *key)
+static void look(const struct thud_scene *scene, struct thud_remarks *out, const struct thud_param *param, double value,
+                 const char *key)
 {
-    char usual[160], text[64];
+    char usual[160], text[96];
     if (!thud_param_unusual(param, value, usual, sizeof usual))
         return;
-    thud_quantity_format(value, strchr(param->unit, '^') ? "" : param->unit, text, sizeof text);
+    thud_scene_get_short(scene, key, NULL, text, sizeof text, NULL);
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK, "%s is unusual", text);
     thud_error_allow(said, "usually %s", usual);
     thud_error_key(said, "%s", key);
 }
 
-static void look_group(struct thud_remarks *out, enum thud_group group, const void *base, unsigned kind, int storeys,
-                       const char *prefix)
+static void look_group(const struct thud_scene *scene, struct thud_remarks *out, enum thud_group group,
+                       const void *base, unsigned kind, int storeys, const char *prefix)
 {
     const struct thud_param *param;
     for (int i = 0; (param = thud_group_param(group, i)); i++) {
@@ -38,7 +39,7 @@ static void look_group(struct thud_remarks *out, enum thud_group group, const vo
             snprintf(key, sizeof key, n > 1 ? "%s.%s.%d" : "%s.%s", prefix, param->name, floor + 1);
             if ((floor > 0 && value[floor] == value[floor - 1]) || (place->optional && value[floor] == 0))
                 continue; /* said once */
-            look(out, param, value[floor], key);
+            look(scene, out, param, value[floor], key);
         }
     }
 }
@@ -59,15 +60,15 @@ void thud_remark_structure_values(const struct thud_remark_scope *scope, int i, 
         char key[64];
         snprintf(key, sizeof key, "structures.%d%s", i + 1, each[k].part);
         if (each[k].is)
-            look_group(out, each[k].group, s, 1u << s->kind, each[k].storeys, key);
+            look_group(scope->scene, out, each[k].group, s, 1u << s->kind, each[k].storeys, key);
     }
 }
 
 void thud_remark_setup(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     (void)i;
-    look_group(out, THUD_GROUP_RECORD, &scope->scene->record, 0, 0, "record");
-    look_group(out, THUD_GROUP_ANALYSIS, &scope->scene->analysis, 0, 0, "analysis");
+    look_group(scope->scene, out, THUD_GROUP_RECORD, &scope->scene->record, 0, 0, "record");
+    look_group(scope->scene, out, THUD_GROUP_ANALYSIS, &scope->scene->analysis, 0, 0, "analysis");
 }
 
 /* The law that acts first at an interface, and its key. */
@@ -83,11 +84,11 @@ void thud_remark_interface_values(const struct thud_remark_scope *scope, int i, 
     char prefix[64], key[128];
     const struct thud_law_choice *choice = first_law(scope, i, prefix);
     if (scope->scene->interface[i].has_bumper)
-        look_group(out, THUD_GROUP_BUMPER, &scope->scene->interface[i], 0, 0, prefix);
+        look_group(scope->scene, out, THUD_GROUP_BUMPER, &scope->scene->interface[i], 0, 0, prefix);
     for (int k = 0; choice->law && k < choice->law->nparams; k++) {
         snprintf(key, sizeof key, "%s.%s", prefix, choice->law->params[k].name);
         if (choice->law->params[k].kind == THUD_PARAM_QUANTITY)
-            look(out, &choice->law->params[k], choice->value[k], key);
+            look(scope->scene, out, &choice->law->params[k], choice->value[k], key);
     }
 }
 
