@@ -219,8 +219,10 @@ static void measures(struct thud_text *out)
         [THUD_TOLD_BY_SWEEP] = "figures of sweep",
         [THUD_TOLD_BY_FLOORS] = "sweep.csv (each floor)",
     };
-    static const char *const needs[] = {"storeys that yield", "isolators", "columns that slabs strike",
-                                        "a capacity of columns", "case none to compare with"};
+    static const char *const needs[] = {"storeys that yield",           "isolators",
+                                        "columns that slabs strike",    "a capacity of columns",
+                                        "case none to compare with",    "links (soil behind walls is none)",
+                                        "isolators that yield or slide"}; /* by the bits of THUD_HAS_... */
     thud_text_append(out, ".Ss measures\nResults that studies give of a run, each by its one name.\nAn event occurs "
                           "where its measure is above the limit.\n.Bl -tag -width Ds -compact\n");
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {

@@ -227,3 +227,4 @@ mills "links" 1 run towers-linked --to 5s
 mills "sensitivity" 4 run towers --to 5s --sensitivity
 mills "uncertain inputs" 4 uncertainty towers --to 5s --samples 2
 is "and units" [ "$(tr '\n' ' ' <"$tmp/out" | grep -o "[a-z0-9] m/s2  *[0-9]" | wc -l)" -ge 8 ]
+is "what measures need a scene to have" [ "$("$THUD" help --mdoc measures | tr '\n' ' ' | grep -o '\(link_n\|isolator_permanent_m\) [^.]*only with [a-z]* *[a-z]*' | sed 's/ .*only//' | tr -s '\n ' ' ')" = 'isolator_permanent_m with isolators that link_n with links ' ]
