@@ -289,6 +289,26 @@ START_TEST(the_figure_is_of_the_study_as_it_is)
 }
 END_TEST
 
+/* A rigid body has no drifts: of the four places of a figure of ratios one is empty, and no key leads there. */
+START_TEST(panels_without_a_ratio_are_passed_over)
+{
+    const struct thud_sweep_state *s = thud_sweep_state(f.tui);
+    fixture_keys(&f, ":set structures.1.kind rigid<Enter><A-6><Enter><C-u>gap=1 cm:3 cm:1 cm<Enter>");
+    for (int i = 0; i < 9 && (!s->shown || s->shown->rows * s->shown->columns != 4); i++)
+        fixture_keys(&f, "c");
+    ck_assert_int_eq(s->shown->rows * s->shown->columns, 4);
+    for (int back = 0; back < 2; back++) {
+        int seen = 0;
+        for (int i = 0; i < 4; i++) { /* three panels, and all of them */
+            fixture_keys(&f, back ? "[" : "]");
+            ck_assert(s->panel < 0 || s->shown->panel[s->panel].used);
+            seen |= 1 << (s->panel + 1);
+        }
+        ck_assert_int_eq(seen, 1 | 1 << 1 | 1 << 2 | 1 << 4);
+    }
+}
+END_TEST
+
 /* One that takes long waits for r, and its words stay to be read. */
 START_TEST(a_long_study_waits)
 {
@@ -626,6 +646,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, edits_make_a_study_old);
     tcase_add_test(words, the_study_fills_by_itself);
     tcase_add_test(words, the_figure_is_of_the_study_as_it_is);
+    tcase_add_test(words, panels_without_a_ratio_are_passed_over);
     tcase_add_test(words, a_long_study_waits);
     tcase_add_test(words, the_cursor_sets_the_gap);
     tcase_add_test(words, a_suite_has_its_statistics);

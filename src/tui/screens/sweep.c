@@ -293,10 +293,10 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
         next_figure(tui);
         return THUD_DONE;
     case THUD_DO_NEXT_CONTACT:
-        s->panel = s->panel + 1 < panels ? s->panel + 1 : -1;
-        return THUD_DONE;
-    case THUD_DO_PREVIOUS_CONTACT:
-        s->panel = s->panel < 0 ? panels - 1 : s->panel - 1;
+    case THUD_DO_PREVIOUS_CONTACT: /* -1: all of them */
+        do
+            s->panel = (s->panel + 1 + (action == THUD_DO_NEXT_CONTACT ? 1 : panels)) % (panels + 1) - 1;
+        while (s->panel >= 0 && !s->shown->panel[s->panel].used);
         return THUD_DONE;
     default:
         return THUD_NOT_MINE;
