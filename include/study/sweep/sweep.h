@@ -141,10 +141,10 @@ struct thud_sweep_point {
 /* (ncontacts) those of a case, and the collapse without pounding. */
 const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which);
 const struct thud_collapse *thud_sweep_fall(const struct thud_sweep_point *point, enum thud_case which);
-/* Return the cases whose motion without pounding a plan's ratios are to, and its required gaps of: as written where
+/* Return the cases whose motion without pounding ratios of a plan are to, and required gaps of cases: as written where
  * every case has the links, or any; else `none`. */
 enum thud_case thud_sweep_free_case(const struct thud_sweep_plan *plan);
-enum thud_case thud_sweep_need_case(const struct thud_sweep_plan *plan);
+enum thud_case thud_sweep_need_case(const enum thud_case *cases, int ncases);
 
 /* Creates the task of a point. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
  * possible), THUD_MEMORY. */

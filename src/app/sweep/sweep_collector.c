@@ -12,18 +12,19 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
         collector->structure[i] = plan->scene.structure[i].name;
         collector->kind[i] = plan->scene.structure[i].kind;
     }
-    collector->table = (struct thud_sweep_table){.nrecords = plan->nrecords > 0 ? plan->nrecords : 1,
-                                                 .nstructures = plan->scene.nstructures,
-                                                 .naxes = plan->naxes,
-                                                 .measures = thud_scene_measures(&plan->scene),
-                                                 .free_links = thud_case_has_links(thud_sweep_free_case(plan)),
-                                                 .need_links = thud_case_has_links(thud_sweep_need_case(plan)),
-                                                 .sensitivity = plan->sensitivity,
-                                                 .record = record,
-                                                 .motion = plan->record,
-                                                 .structure = collector->structure,
-                                                 .kind = collector->kind,
-                                                 .axis = plan->axis};
+    collector->table =
+        (struct thud_sweep_table){.nrecords = plan->nrecords > 0 ? plan->nrecords : 1,
+                                  .nstructures = plan->scene.nstructures,
+                                  .naxes = plan->naxes,
+                                  .measures = thud_scene_measures(&plan->scene),
+                                  .free_links = thud_case_has_links(thud_sweep_free_case(plan)),
+                                  .need_links = thud_case_has_links(thud_sweep_need_case(plan->cases, plan->ncases)),
+                                  .sensitivity = plan->sensitivity,
+                                  .record = record,
+                                  .motion = plan->record,
+                                  .structure = collector->structure,
+                                  .kind = collector->kind,
+                                  .axis = plan->axis};
 }
 
 /* Room for one more point; false when out of memory. */
@@ -40,7 +41,7 @@ static bool reserve(struct thud_sweep_collector *c)
 static void add_need(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
                      const struct thud_sweep_point *point)
 {
-    const enum thud_case free = thud_sweep_need_case(plan);
+    const enum thud_case free = thud_sweep_need_case(plan->cases, plan->ncases);
     const struct thud_gap_level *level = thud_sweep_levels(point, free), *decides = level;
     if (!thud_sweep_is_first(plan, point) || point->ncontacts == 0)
         return;

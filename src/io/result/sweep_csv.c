@@ -273,8 +273,8 @@ static void make_contact(const struct form *form, int i, void *out)
 
 static void make_need(const struct form *form, int i, void *out)
 {
-    *(struct thud_need_fields *)out =
-        thud_need_fields_of(&thud_sweep_levels(form->point, thud_sweep_need_case(form->plan))[i], form->record);
+    *(struct thud_need_fields *)out = thud_need_fields_of(
+        &thud_sweep_levels(form->point, thud_sweep_need_case(form->plan->cases, form->plan->ncases))[i], form->record);
 }
 
 static int count_rows(const struct form *form)

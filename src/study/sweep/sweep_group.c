@@ -70,10 +70,10 @@ enum thud_case thud_sweep_free_case(const struct thud_sweep_plan *plan)
     return THUD_CASE_AS_WRITTEN;
 }
 
-enum thud_case thud_sweep_need_case(const struct thud_sweep_plan *plan)
+enum thud_case thud_sweep_need_case(const enum thud_case *cases, int ncases)
 {
-    for (int i = 0; i < plan->ncases; i++)
-        if (thud_case_has_links(plan->cases[i]))
+    for (int i = 0; i < ncases; i++)
+        if (thud_case_has_links(cases[i]))
             return THUD_CASE_AS_WRITTEN;
     return THUD_CASE_NONE;
 }

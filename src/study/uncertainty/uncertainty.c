@@ -597,20 +597,11 @@ static void put_case(const struct thud_uncertainty *u, const struct thud_measure
             value[q] = thud_measure_read(run, u->quantity[q].measure, u->quantity[q].structure);
 }
 
-/* The case whose motion without pounding the required gap is of: with the links unless no case has them. */
-static enum thud_case need_case(const struct thud_uncertainty *u)
-{
-    for (int k = 0; k < u->ncases; k++)
-        if (thud_case_has_links(u->which[k]))
-            return THUD_CASE_AS_WRITTEN;
-    return THUD_CASE_NONE;
-}
-
 /* Those of a finished point of the changed scene, up to a case without a result. */
 static enum thud_status put_point(const struct thud_uncertainty *u, const struct thud_scene *scene,
                                   const struct thud_sweep_point *point, double *value, struct thud_error *err)
 {
-    const enum thud_case need = need_case(u);
+    const enum thud_case need = thud_sweep_need_case(u->which, u->ncases);
     if (asks_gap(u) && point->ncontacts > 0 && !thud_sweep_fall(point, need)->happened)
         value[0] = thud_gap_widest(thud_sweep_levels(point, need), point->ncontacts, 0, THUD_GAP_EXACT, NULL);
     for (int k = 0; k < u->ncases; k++) {
