@@ -50,9 +50,9 @@ static inline void shorten(struct thud_floor_load *load, const double *size)
 static void make_basis(struct thud_floor_oscillators *p, double h_s, double from, double to)
 {
     const double part[] = {h_s, from, to}, half = 0.5 * (to - from), middle = from + half;
-    double row[TERMS][TERMS + 1] = {{1}}; /* of s^k */
     if (memcmp(p->part, part, sizeof part) == 0)
         return;
+    double row[TERMS][TERMS + 1] = {{1}}; /* of s^k; large */
     memcpy(p->part, part, sizeof part);
     for (int k = 0; k < TERMS; k++)
         for (int j = 0; j <= k; j++) {
@@ -149,6 +149,7 @@ static double look_inside(const struct thud_floor_block *t, const struct thud_fl
 {
     const double re = t->mu[pair].re[i], im = t->mu[pair].im[i];
     double b[THUD_SEGMENT_TERMS] = {0}, c[THUD_SEGMENT_TERMS], x = from.re[i], y = from.im[i], where;
+    int n = 0;
     for (int k = 0; k < load->terms; k++) {
         double part = (k % 2 ? -t->piece_s : t->piece_s) * load->c[k];
         for (int j = 0; j <= k; j++) {
@@ -156,13 +157,13 @@ static double look_inside(const struct thud_floor_block *t, const struct thud_fl
             part *= -(double)((k - j) * (k + j + 1)) / ((j + 1) * (j + 1));
         }
     }
-    for (int k = 0; k < THUD_SEGMENT_TERMS; k++) {
-        const double next = (re * x - im * y - b[k]) / (k + 1);
-        c[k] = y;
-        y = (re * y + im * x) / (k + 1);
+    for (; n < THUD_SEGMENT_TERMS && (n <= load->terms || fabs(x) + fabs(y) > accuracy * accuracy * peak); n++) {
+        const double next = (re * x - im * y - b[n]) / (n + 1);
+        c[n] = y;
+        y = (re * y + im * x) / (n + 1);
         x = next;
     }
-    return thud_poly_peak(c, THUD_SEGMENT_TERMS, 1, peak, &where);
+    return thud_poly_peak(c, n, 1, peak, &where);
 }
 
 /* Peaks of the piece that the oscillators have gone through. A cubic has the values and slopes of Im z at both ends, and
