@@ -66,8 +66,6 @@ static double floor_of(const struct thud_sweep_point *p, int variant, int k, con
     double sum = 0;
     int n = 0, rows;
     const struct thud_sweep_floor *x = floors_of(p, variant, k, structure, floor == 0 && info->of_storeys, &rows);
-    if (info->of_storeys && p->first_storey[structure] == p->floors[structure]) /* a wall or body */
-        return NAN;
     if (floor > 0)
         return field_of(&x[floor - 1], info);
     for (int i = 0; i < rows; i++) {
