@@ -188,11 +188,13 @@ static void check(unsigned long long seed)
         failed += both;
         of_other += refused;
         open_ones += !both && !refused;
-        printf("%llu: %s: %s | %s\n", seed,
+        char text[1000];
+        scenes_describe(&one, text, sizeof text);
+        printf("%llu: %s: %s | %s\n#   %s\n", seed,
                both      ? "no result of either"
                : refused ? "dormand-prince refuses itself, and agrees where finer"
                          : "OPEN",
-               a.err.what, b.err.what);
+               a.err.what, b.err.what, text);
     } else if (a.n != b.n) {
         open_ones++;
         printf("%llu: OPEN: %d and %d numbers\n", seed, a.n, b.n);

@@ -212,8 +212,9 @@ static inline double contact_error(const struct thud_state *state, const struct 
     }
     double error = thud_larger(most / scale - THUD_TOL_POLYNOMIAL, 0);
     if (is_approach(s) && has_just_begun(x, a)) {
-        double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
-        double speed = s->onset_mps < 1e-7 * ground ? ground : s->onset_mps; /* pushed, or thrown */
+        const bool sways = state->ground_mps2 > 0 && state->fastest_radps > 0;
+        const double pushed = sways ? state->ground_mps2 / state->fastest_radps : state->speed_mps,
+                     speed = s->onset_mps < 1e-7 * pushed ? pushed : s->onset_mps; /* else thrown */
         if (speed > 0)
             error = fmin(error, 10 * most * h / (mass * speed));
     }
