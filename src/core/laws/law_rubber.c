@@ -4,8 +4,8 @@
  *     restitution    F_R = k d^n (1 + C v)      unloading paper, for every d
  *                    F_R = F_A (1 + C v)        unloading continuous
  * C follows from e and a speed: that of contact onset, or that of the energy stored at the reversal. Eq. (7) for C is a
- * fit in kg and m/s; damping exact solves for C. Past delta_u unloading paper drops to another curve: more is lost than e
- * says, and a contact that is pushed sticks. Assumes that rubber keeps no set. */
+ * fit in kg and m/s; damping exact solves for C. Past delta_u unloading paper goes to another curve: below the line more is
+ * lost than e says, and a contact that is pushed sticks; above it energy is created. Assumes that rubber keeps no set. */
 #include "core/laws/law_closed_form.h"
 #include "core/laws/law_common.h"
 
@@ -55,7 +55,7 @@ static const struct thud_param params[] = {
     [RESTITUTION] = THUD_PARAM_RESTITUTION(0.5),
     [DAMPING] = THUD_PARAM_DAMPING,
     [UNLOADING] = THUD_PARAM_ONE_OF("unloading", "restitution past the ultimate strain",
-     "paper: eq. (5) as printed, which drops to the power curve; continuous: from the approach curve.",
+     "paper: eq. (5) as printed, on the power curve; continuous: from the approach curve.",
      UNLOADING_PAPER, unloading_choices),
     [IMPACT_SPEED] = THUD_PARAM_ONE_OF("impact-speed", "approach velocity of the damping",
      "touch: the approach velocity at contact onset; energy: at each turn, from the energy stored then.",
@@ -87,10 +87,8 @@ static enum thud_status find_stiffness(struct thud_law_setup *setup, struct thud
     const double *value = setup->value;
     int missing = 0, given = 0;
     for (int i = ALPHA; i <= MATERIAL_STIFFNESS; i++) {
-        if (!isnan(value[i]))
-            given = i;
-        else
-            missing = i;
+        given = isnan(value[i]) ? given : i;
+        missing = isnan(value[i]) ? i : missing;
     }
     if (!isnan(value[STIFFNESS])) {
         if (given)
@@ -198,16 +196,16 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
     return thud_rubber_restitution(memory.own[DAMP] * v_mps, ratio);
 }
 
-/* A force at the ultimate strain that no bumper has, and a line that is softer than the curve before it. */
+/* A force at the ultimate strain that no bumper has, and a line softer than the power curve: than its tangent there, and
+ * with unloading paper than its chord up to the thickness, below which restitution lies above approach. */
 static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error *out)
 {
     static const double least_n = 0.1e6, most_n = 100e6;
     struct thud_rubber_curve curve = curve_of(setup);
-    double tangent = curve.k * curve.n * pow(curve.ultimate_m, curve.n - 1);
     bool force = curve.ultimate_force_n < least_n || curve.ultimate_force_n > most_n;
-    bool soft = curve.post_yield_npm < tangent;
-    if (n >= (int)force + (int)soft)
-        return false;
+    bool paper = setup->value[UNLOADING] == UNLOADING_PAPER;
+    double over = 1 / setup->value[MAX_STRAIN], factor = paper ? (pow(over, curve.n) - 1) / (over - 1) : curve.n;
+    double least = factor * curve.ultimate_force_n / curve.ultimate_m;
     if (force && n == 0) {
         thud_error_set(out, THUD_OK, "a force of %.3g MN at the ultimate strain is unusual",
                        1e-6 * curve.ultimate_force_n);
@@ -215,11 +213,13 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
         thud_error_key(out, "%s", params[isnan(setup->value[STIFFNESS]) ? MATERIAL_STIFFNESS : STIFFNESS].name);
         return true;
     }
-    thud_error_set(out, THUD_OK, "%.4g kN/mm past the ultimate strain is softer than the rubber just before it",
-                   curve.post_yield_npm / THUD_KN_PER_MM);
-    thud_error_allow(out, "usually at least the slope there, %.4g kN/mm", tangent / THUD_KN_PER_MM);
+    thud_error_set(out, THUD_OK, "%.4g kN/mm past the ultimate strain is softer than the rubber's own curve%s",
+                   curve.post_yield_npm / THUD_KN_PER_MM,
+                   paper ? ", so the bumper can give back more energy than it takes" : "");
+    thud_error_allow(out, "usually at least %.4g kN/mm%s", least / THUD_KN_PER_MM,
+                     paper ? ", or unloading: continuous" : "");
     thud_error_key(out, "%s", params[POST_YIELD].name);
-    return true;
+    return n == (int)force && curve.post_yield_npm < least;
 }
 
 const struct thud_law thud_law_rubber = {
