@@ -4,8 +4,9 @@
 
 #include "core/run/run_private.h"
 
-/* Number of successive events at one instant, for each contact and in addition, before that instant is skipped; and how often, each time for twice as long. */
-enum { STALLS_EACH = 4, STALLS_MORE = 12, PASSES_MAX = 36 };
+/* Number of successive events at one instant, for each contact and in addition, before that instant is skipped; and how often, each time for twice as long.
+ * After some times the events are as many times that number: a light body between heavy ones has thousands of bounces. */
+enum { STALLS_EACH = 4, STALLS_MORE = 12, PASSES_FEW = 8, PASSES_MAX = 36 };
 
 /* Events that a run may take in a part of its duration. 20 buildings of 200 storeys that pound at every floor take
  * fewer than this in all; a bounce that loses no energy and is pressed on takes ever more, and would never end. */
@@ -168,9 +169,8 @@ enum thud_status thud_run_watch_progress(struct thud_run *run, struct thud_propo
             run->progress.passes = 0;
         return THUD_OK;
     }
-    run->progress.stalls++;
-    /* of two events that follow each other at one instant (chattering), now this one, now the other is passed over, so
-     * that one of the two contacts opens */
-    int most = STALLS_MORE + STALLS_EACH * run->state.model->nrows + run->progress.passes % 2;
-    return run->progress.stalls > most ? skip_accumulating(run, p, err) : THUD_OK;
+    /* of two events that follow each other at one instant, now this one, now the other is passed over: one opens */
+    const int passes = run->progress.passes, each = STALLS_MORE + STALLS_EACH * run->state.model->nrows;
+    const int most = each * (passes < PASSES_FEW ? 1 : passes) + passes % 2;
+    return ++run->progress.stalls > most ? skip_accumulating(run, p, err) : THUD_OK;
 }
