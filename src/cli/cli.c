@@ -1,6 +1,5 @@
 #include "cli/cli.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <locale.h>
 #include <stdio.h>
@@ -17,12 +16,15 @@
 #include "io/file/json.h"
 #include "io/file/schema.h"
 
-typedef enum thud_status command_function(const struct thud_args *args, struct thud_error *err);
-
-static command_function *const commands[THUD_COMMANDS] = {
-#define THUD_COMMAND(ID, name) [THUD_COMMAND_##ID] = thud_command_##name,
+static const struct {
+    enum thud_status (*run)(const struct thud_args *args, struct thud_error *err);
+    thud_scene_work *with; /* or this */
+} commands[THUD_COMMANDS] = {
+#define THUD_COMMAND(ID, name)      [THUD_COMMAND_##ID] = {.run = thud_command_##name},
+#define THUD_COMMAND_WITH(ID, name) [THUD_COMMAND_##ID] = {.with = thud_command_##name},
 #include "cli/command_words.h"
 #undef THUD_COMMAND
+#undef THUD_COMMAND_WITH
 };
 
 void thud_cli_words(const char *words, struct thud_text *out)
@@ -170,8 +172,12 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
         return help(args.command, err);
     if (thud_args_has(&args, "version"))
         return version(err);
-    assert(args.command == THUD_COMMAND_SCREEN || commands[args.command]);
-    status = args.command == THUD_COMMAND_SCREEN ? open_screen(&args, screen, err) : commands[args.command](&args, err);
+    if (args.command == THUD_COMMAND_SCREEN)
+        status = open_screen(&args, screen, err);
+    else if (commands[args.command].with)
+        status = thud_scene_options_with(&args, commands[args.command].with, err);
+    else
+        status = commands[args.command].run(&args, err);
     return status == THUD_OK ? THUD_OK : thud_scene_options_name(&args, status, err);
 }
 

@@ -123,8 +123,8 @@ static enum thud_status patience(const struct thud_args *args, double *out, stru
     return status;
 }
 
-static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                                struct thud_error *err)
+enum thud_status thud_command_bench(const struct thud_args *args, struct thud_session *session,
+                                    struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_bench_jobs jobs = {.patience_s = THUD_BENCH_PATIENCE_S, .cancel = thud_interrupt_watch()};
     jobs.budget_s = thud_args_has(args, "patience") ? 0 : THUD_BENCH_BUDGET_S;
@@ -146,9 +146,4 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
         return status;
     status = bench(args, scene, session->record, &jobs, err);
     return thud_made_by_finish(args, &by, status, err);
-}
-
-enum thud_status thud_command_bench(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, measure, err);
 }

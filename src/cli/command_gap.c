@@ -27,8 +27,8 @@ static enum thud_status save(const struct thud_args *args, const struct thud_gap
     return thud_made_by_end(by, status, err);
 }
 
-static enum thud_status gap(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                            struct thud_error *err)
+enum thud_status thud_command_gap(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                  struct thud_error *err)
 {
     struct thud_record_list records = {0};
     struct thud_gap_study study = {0};
@@ -67,9 +67,4 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
     thud_gap_study_clear(&study);
     thud_record_list_clear(&records);
     return status;
-}
-
-enum thud_status thud_command_gap(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, gap, err);
 }

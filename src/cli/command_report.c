@@ -92,8 +92,8 @@ static enum thud_status read_criteria(const struct thud_args *args, struct thud_
     return status;
 }
 
-static enum thud_status report(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                               struct thud_error *err)
+enum thud_status thud_command_report(const struct thud_args *args, struct thud_session *session,
+                                     struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_picture_choice picture;
     struct thud_inputs_choice inputs;
@@ -160,9 +160,4 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     if (options.pdf && !no_pdf.what[0])
         thud_text_append(&text, "%s/report.pdf\n", folder);
     return thud_cli_print_files(args, &text, err);
-}
-
-enum thud_status thud_command_report(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, report, err);
 }

@@ -83,8 +83,8 @@ static enum thud_status save(const struct thud_args *args, const struct thud_ses
     return thud_figure_deliver(thud_figure_of_simplify(found, title), folder, &picture->options, status, err);
 }
 
-static enum thud_status simplify(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                                 struct thud_error *err)
+enum thud_status thud_command_simplify(const struct thud_args *args, struct thud_session *session,
+                                       struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_record_list records = {0};
     struct thud_simplify *search = NULL;
@@ -124,9 +124,4 @@ static enum thud_status simplify(const struct thud_args *args, struct thud_sessi
     thud_simplify_free(search);
     thud_record_list_clear(&records);
     return begun ? thud_made_by_finish(args, &by, status, err) : status;
-}
-
-enum thud_status thud_command_simplify(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, simplify, err);
 }

@@ -17,8 +17,8 @@ static enum thud_status read_share(const struct thud_args *args, double *share, 
     return THUD_OK;
 }
 
-static enum thud_status solve(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                              struct thud_error *err)
+enum thud_status thud_command_solve(const struct thud_args *args, struct thud_session *session,
+                                    struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_record_list records = {0};
     struct thud_criterion criterion;
@@ -50,9 +50,4 @@ static enum thud_status solve(const struct thud_args *args, struct thud_session 
     thud_record_list_clear(&records);
     free(found);
     return status;
-}
-
-enum thud_status thud_command_solve(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, solve, err);
 }

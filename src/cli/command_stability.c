@@ -52,8 +52,8 @@ static void show_progress(int done, int jobs)
     thud_progress_show("%d of %d", done, jobs);
 }
 
-static enum thud_status stability(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                                  struct thud_error *err)
+enum thud_status thud_command_stability(const struct thud_args *args, struct thud_session *session,
+                                        struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_stability *plan = NULL;
     struct thud_picture_choice picture;
@@ -87,9 +87,4 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     }
     thud_stability_free(plan);
     return begun ? thud_made_by_finish(args, &by, status, err) : status;
-}
-
-enum thud_status thud_command_stability(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, stability, err);
 }

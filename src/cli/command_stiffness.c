@@ -173,8 +173,8 @@ static enum thud_status add_runs(const struct thud_args *args, struct thud_sessi
     return status;
 }
 
-static enum thud_status stiffness(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                                  struct thud_error *err)
+enum thud_status thud_command_stiffness(const struct thud_args *args, struct thud_session *session,
+                                        struct thud_scene *scene, struct thud_error *err)
 {
     struct told told = {.form = thud_cli_form(args)};
     enum thud_status status = add_slabs(args, &told, err);
@@ -185,9 +185,4 @@ static enum thud_status stiffness(const struct thud_args *args, struct thud_sess
     if (status == THUD_OK)
         put_rows(&session->scene, &told);
     return thud_cli_print_as(args, &told.text, status, err);
-}
-
-enum thud_status thud_command_stiffness(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, stiffness, err);
 }

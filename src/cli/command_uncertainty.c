@@ -57,8 +57,8 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_u
     return status;
 }
 
-static enum thud_status uncertainty(const struct thud_args *args, struct thud_session *session,
-                                    struct thud_scene *scene, struct thud_error *err)
+enum thud_status thud_command_uncertainty(const struct thud_args *args, struct thud_session *session,
+                                          struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_uncertainty_study study = {0};
     struct thud_uncertainty *u = NULL;
@@ -110,9 +110,4 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     thud_uncertainty_free(u);
     thud_record_list_clear(&records);
     return status;
-}
-
-enum thud_status thud_command_uncertainty(const struct thud_args *args, struct thud_error *err)
-{
-    return thud_scene_options_with(args, uncertainty, err);
 }

@@ -8,14 +8,17 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "cli/args.h"
+#include "cli/options.h"
 #include "io/file/schema.h"
 #include "plot/figure/figure.h"
 #include "study/sweep/remark.h"
 
 #define THUD_COMMAND(ID, name)                                                                                         \
     enum thud_status thud_command_##name(const struct thud_args *args, struct thud_error *err);
+#define THUD_COMMAND_WITH(ID, name) thud_scene_work thud_command_##name;
 #include "cli/command_words.h"
 #undef THUD_COMMAND
+#undef THUD_COMMAND_WITH
 
 /* Writes the text to standard output and clears it: without what a terminal would obey in place of showing it. See thud_text_print. Errors:
  * THUD_OUTPUT, THUD_MEMORY. */

@@ -59,7 +59,7 @@ int thud_records_synthetic(const struct thud_record *const *record, int n)
 }
 
 /* Whether one of the words of letters in a text (U-D is one) stands for a vertical direction. */
-static bool says_vertical(const char *text)
+bool thud_component_is_vertical(const char *text)
 {
     static const char *const word[] = {"UP", "UD", "U-D", "VER", "VERT", "VERTICAL", "DWN", "DOWN", "V", "Z"};
     while (*text) {
@@ -134,17 +134,12 @@ bool thud_component_is(const char *name, const char *wanted)
     return thud_ascii_same(name, wanted) || fmod(turn, 180) < 0.5;
 }
 
-bool thud_component_is_vertical(const char *name)
-{
-    return says_vertical(name);
-}
-
 bool thud_record_is_vertical(const struct thud_record *record)
 {
     const char *name = thud_path_name(record->file), *dot = strrchr(name, '.');
     const char *dash = strrchr(name, '-'), *line = strrchr(name, '_');
     const char *last = dash > line ? dash : line; /* "rsn6-elc-up.at2" */
-    if (says_vertical(record->component))
+    if (thud_component_is_vertical(record->component))
         return true;
     if (strstr(record->format, "K-NET") || strstr(record->format, "KiK"))
         return strcmp(record->component, "3") == 0 || strcmp(record->component, "6") == 0;
@@ -155,8 +150,8 @@ bool thud_record_is_vertical(const struct thud_record *record)
     for (const char *c = tail; *c; c++)
         letters = letters && thud_ascii_is_alpha(*c);
     /* .UD and .UD2 are a direction, .V2 and .V2A a volume of processed data */
-    return (letters && says_vertical(tail)) ||
-           (dot && thud_ascii_is_alpha(dot[1]) && thud_ascii_is_alpha(dot[2]) && says_vertical(dot + 1));
+    return (letters && thud_component_is_vertical(tail)) ||
+           (dot && thud_ascii_is_alpha(dot[1]) && thud_ascii_is_alpha(dot[2]) && thud_component_is_vertical(dot + 1));
 }
 
 bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b)

@@ -19,7 +19,7 @@
 
 static const char own_address = 0; /* an address in this library */
 
-static bool is_folder(const char *path)
+bool thud_path_is_folder(const char *path)
 {
     struct stat about;
     return stat(path, &about) == 0 && S_ISDIR(about.st_mode);
@@ -48,7 +48,7 @@ static bool find_beside(char *file, char *folder, size_t size)
     char presets[512];
     for (size_t i = 0; i < sizeof beside / sizeof *beside && cut(file); i++) {
         snprintf(presets, sizeof presets, "%s%s/presets", file, beside[i]);
-        if (is_folder(presets)) {
+        if (thud_path_is_folder(presets)) {
             snprintf(folder, size, "%s%s", file, beside[i]);
             return true;
         }
@@ -120,7 +120,7 @@ void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *
 static enum thud_status not_found(const char *what, const char *name, const char *folder, const char *ending,
                                   struct thud_error *err)
 {
-    if (is_folder(name))
+    if (thud_path_is_folder(name))
         return thud_error_in(err, THUD_INPUT, name, 0, "is a folder, not a file");
     struct thud_file_names *names = calloc(1, sizeof *names);
     const char *near = NULL;
@@ -282,9 +282,4 @@ enum thud_status thud_folder_names(const char *folder, char ***names, size_t *co
     if (*names)
         qsort(*names, *count, sizeof **names, by_name);
     return THUD_OK;
-}
-
-bool thud_path_is_folder(const char *path)
-{
-    return is_folder(path);
 }
