@@ -150,6 +150,13 @@ say "soil / rigid ground at 10 cm: rubber" "$(of_presets towers-on-soil bumper 1
 say "a link / concrete at 10 cm" "$(of_presets towers-linked link 10cm none 10cm)" times most 3.5
 a_pendulum() { "$build/bench-time" isolated-pendulum as-written | awk '{ print $1 }'; }
 say "a pendulum / an isolated building in its moat" "$(paired a_pendulum an_isolated_run)" times most 2
+ten() { # COMMAND...: processor time of ten of them, s
+    (
+        for _ in 1 2 3 4 5 6 7 8 9 10; do "$@" >/dev/null 2>&1; done
+        times
+    ) | awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, t, "m"); s += 60 * t[1] + t[2] } print s }'
+}
+say "floor spectra of all floors / their run" "$(paired "ten $THUD run towers --floor-spectra 5%" "ten $THUD run towers")" times most 16
 
 # ---- memory
 
