@@ -1,6 +1,7 @@
 /* Parses and writes numbers with units, as people type them, to and from SI. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/status.h"
@@ -41,8 +42,9 @@ enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimen
 
 /* Writes the SI value in `unit` (which may carry an exponent) as the shortest text that reads back the same. */
 void thud_quantity_format(double value_si, const char *unit, char *text, size_t size);
-/* Returns the text of a value as sentences have it: a number of more than nine digits, as a factor between units leaves
- * them, rounded to six in `said`; else `text`. */
+/* Whether the number that begins the text has more than nine digits, as a factor between units leaves them. */
+bool thud_quantity_is_long(const char *text);
+/* Returns the text of a value as sentences have it: a long number rounded to six digits in `said`; else `text`. */
 const char *thud_quantity_said(const char *text, char said[96]);
 
 /* Returns the factor from `unit` to SI; 0: unknown unit. `exponent` (may be NULL) gets the unit's exponent for N/m^n

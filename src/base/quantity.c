@@ -212,15 +212,22 @@ void thud_quantity_format(double value_si, const char *unit, char *text, size_t 
     snprintf(text, size, "%s%s%s", value_si == 0 ? "0" : number, unit && *unit ? " " : "", unit ? unit : "");
 }
 
+bool thud_quantity_is_long(const char *text)
+{
+    enum { TYPED = 9 };
+    char digits[TEXT_MAX];
+    long last;
+    const size_t length = strspn(text, "+-.0123456789");
+    return length < TEXT_MAX && digits_of(text, length, digits, &last) > TYPED;
+}
+
 const char *thud_quantity_said(const char *text, char said[96])
 {
-    enum { TYPED = 9, SAID = 6 };
+    enum { SAID = 6 };
     const char *end;
-    char digits[TEXT_MAX], number[32];
+    char number[32];
     double value;
-    long last;
-    if (strlen(text) >= TEXT_MAX || thud_number_parse(text, &end, &value) != 0 ||
-        digits_of(text, (size_t)(end - text), digits, &last) <= TYPED)
+    if (thud_number_parse(text, &end, &value) != 0 || !thud_quantity_is_long(text))
         return text;
     snprintf(said, 96, "%s%.60s", thud_digits(value, SAID, number), end);
     return said;

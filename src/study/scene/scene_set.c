@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/ascii.h"
+#include "base/quantity.h"
 #include "base/text.h"
 
 #include "study/scene/scene_slot.h"
@@ -54,17 +54,12 @@ enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path
     return thud_scene_get_in(scene, path, NULL, text, size, err);
 }
 
-/* Whether a number, or one of a list, has more digits than people type. */
+/* Whether a number, or one of a list, is long. */
 static bool is_long(const char *text)
 {
-    enum { TYPED = 9 };
-    for (const char *c = text + (*text == '['); c; c = strchr(c, ',') ? strchr(c, ',') + 2 : NULL) {
-        int digits = 0;
-        for (const char *d = c; *d && strchr("-.0123456789", *d); d++)
-            digits += thud_ascii_is_digit(*d);
-        if (digits > TYPED)
+    for (const char *c = text + (*text == '['); c; c = strchr(c, ',') ? strchr(c, ',') + 2 : NULL)
+        if (thud_quantity_is_long(c))
             return true;
-    }
     return false;
 }
 
