@@ -343,15 +343,15 @@ double thud_event_storey(const struct thud_state *state, int k, const double *d,
                          enum thud_event *event, int *order)
 {
     const struct thud_storey_state *s = &state->storey[k];
-    const int from = s->direction != 0 ? 1 : 0; /* the rate of the drift, or the drift */
     double p[THUD_SEGMENT_TERMS], first = INFINITY;
-    for (int i = 0; i + from < n; i++)
-        p[i] = from > 0 ? (i + 1) * d[i + 1] : d[i];
     if (s->direction != 0) {
+        for (int i = 0; i + 1 < n; i++)
+            p[i] = (i + 1) * d[i + 1];
         *event = THUD_EVENT_UNLOAD;
         *order = fresh ? s->suppressed : 0;
         return thud_poly_first_above(p, n - 1, s_end, -s->direction, *order, 0);
     }
+    memcpy(p, d, (size_t)n * sizeof *p);
     for (int side = -1; side <= 1; side += 2) {
         const int suppressed = fresh && s->suppressed_side == side ? s->suppressed : 0;
         p[0] = d[0] - s->plastic_m - side * state->model->storey[k].yield_m;

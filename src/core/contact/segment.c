@@ -483,10 +483,9 @@ static bool fold_row(const struct thud_state *state, int c, struct folded *to)
 }
 
 /* Forces from order 2 on of the rows that act, by the modes of their system. */
-static void read_forces(const struct thud_state *state, struct thud_segment *seg, int system)
+static void read_forces(const struct thud_state *state, struct thud_segment *seg, const struct thud_model_structure *p)
 {
     const struct thud_model *m = state->model;
-    const struct thud_model_structure *p = &m->structure[m->system[system < 0 ? 0 : system]];
     for (int i = 0; i < seg->rows; i++) {
         const int c = seg->row[i];
         const struct thud_branch *branch = thud_row_branch(state, c);
@@ -521,7 +520,8 @@ static void linear_series(const struct thud_state *state, struct thud_segment *s
     }
     if (folds) {
         unloaded_orders(state->model, seg, of, 2, &folded);
-        read_forces(state, seg, folded.system);
+        if (folded.system >= 0) /* else none acts */
+            read_forces(state, seg, &state->model->structure[state->model->system[folded.system]]);
     }
     seg->loaded = seg->terms;
 }

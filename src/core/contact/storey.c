@@ -64,7 +64,7 @@ double thud_storeys_hysteretic(const struct thud_state *state, const double *q)
     double sum = 0;
     for (int k = 0; k < state->model->nstoreys; k++) {
         sum += state->storey[k].hysteretic_j;
-        if (state->storey[k].direction != 0 || !state->locates)
+        if (state->storey[k].direction != 0 || !state->locates) /* else it is within its bound */
             sum += loss(&state->model->storey[k],
                         thud_storey_plastic(state, k, drift_of(state, k, q)) - state->storey[k].plastic_m);
     }

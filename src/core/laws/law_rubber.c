@@ -87,8 +87,10 @@ static enum thud_status find_stiffness(struct thud_law_setup *setup, struct thud
     const double *value = setup->value;
     int missing = 0, given = 0;
     for (int i = ALPHA; i <= MATERIAL_STIFFNESS; i++) {
-        given = isnan(value[i]) ? given : i;
-        missing = isnan(value[i]) ? i : missing;
+        if (!isnan(value[i]))
+            given = i;
+        else
+            missing = i;
     }
     if (!isnan(value[STIFFNESS])) {
         if (given)
@@ -206,6 +208,8 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
     bool paper = setup->value[UNLOADING] == UNLOADING_PAPER;
     double over = 1 / setup->value[MAX_STRAIN], factor = paper ? (pow(over, curve.n) - 1) / (over - 1) : curve.n;
     double least = factor * curve.ultimate_force_n / curve.ultimate_m;
+    if (n >= (int)force + (int)(curve.post_yield_npm < least))
+        return false;
     if (force && n == 0) {
         thud_error_set(out, THUD_OK, "a force of %.3g MN at the ultimate strain is unusual",
                        1e-6 * curve.ultimate_force_n);
@@ -219,7 +223,7 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
     thud_error_allow(out, "usually at least %.4g kN/mm%s", least / THUD_KN_PER_MM,
                      paper ? ", or unloading: continuous" : "");
     thud_error_key(out, "%s", params[POST_YIELD].name);
-    return n == (int)force && curve.post_yield_npm < least;
+    return true;
 }
 
 const struct thud_law thud_law_rubber = {

@@ -8,8 +8,7 @@
 
 /* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
  * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
- * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own.
- */
+ * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
 
 /* Fills peaks->per_force and peaks->per_speed. A total acceleration without contacts is -phi_i . (Omega^2 x + D v): of
  * (Omega x, v), whose norm is S, with the factors (Omega phi_i, D phi_i); a force adds at most its share in velocities, and
