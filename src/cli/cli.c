@@ -1,5 +1,6 @@
 #include "cli/cli.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <locale.h>
 #include <stdio.h>
@@ -172,6 +173,7 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
         return help(args.command, err);
     if (thud_args_has(&args, "version"))
         return version(err);
+    assert(args.command == THUD_COMMAND_SCREEN || commands[args.command].with || commands[args.command].run);
     if (args.command == THUD_COMMAND_SCREEN)
         status = open_screen(&args, screen, err);
     else if (commands[args.command].with)

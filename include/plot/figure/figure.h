@@ -111,8 +111,9 @@ struct thud_panel {
 struct thud_figure {
     const char *name; /* of its files, without a suffix: a-z, 0-9 and `-` */
     const char *title;
-    const char *note;                                                          /* footer; may be empty */
-    enum { THUD_MOTIONS, THUD_MOTION_RECORDED, THUD_MOTION_SYNTHETIC } motion; /* all of a study, or one and its kind */
+    const char *note; /* footer; may be empty */
+    /* All motions of a study, or one and its kind. */
+    enum { THUD_MOTIONS, THUD_MOTION_RECORDED, THUD_MOTION_SYNTHETIC } motion;
     int rows, columns;
     struct thud_panel *panel; /* (rows x columns), row-major */
     bool failed;

@@ -376,7 +376,7 @@ double thud_live_peak(const struct thud_live *live, enum thud_live_which which, 
     const struct thud_result *result = shown(live, which);
     int floors = result && structure < result->nstructures ? result->structure[structure].floors : 0;
     const bool of_floors = kind != THUD_PEAK_DRIFT && kind < THUD_PEAK_DUCTILITY;
-    const int first = of_floors || floors == 0 ? 0 : live->first_storey[structure];
+    const int first = of_floors ? 0 : live->first_storey[structure];
     double most = floors > first ? 0.0 : NAN;
     for (int i = first; i < floors; i++)
         most = thud_larger(most, thud_live_floor(live, which, structure, i, kind));

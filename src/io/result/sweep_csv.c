@@ -63,9 +63,8 @@ static const struct thud_column floors[] = {
     OF(ACCELERATION, "acceleration_mps2",
        "Peak total acceleration, m/s2; empty on a floor struck by impulses, as is the mean over its structure."),
     OF(DRIFT, "drift_m",
-       "Peak drift, m; of floor 1 of an isolated building that of its isolators, of a wall its displacement. Means "
-       "over "
-       "walls and rigid bodies are empty."),
+       "Peak drift, m; of floor 1 of an isolated building that of its isolators, of a wall its displacement. "
+       "Means over walls and rigid bodies are empty."),
     OF(DISPLACEMENT, "displacement_m", "Peak displacement relative to the ground, m."),
     OF(ACCELERATION_RATIO, "acceleration_ratio", "Acceleration over that of case none at the same values."),
     OF(DRIFT_RATIO, "drift_ratio", "Drift over that of case none at the same values; empty where the drift is."),

@@ -36,8 +36,9 @@ const char *thud_sweep_record_name(const struct thud_sweep_table *table, int rec
     const char *name = thud_path_name(table->record[record]), *dot = strrchr(name, '.');
     bool suffix = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') && !thud_ascii_is_digit(dot[1]);
     size_t length = suffix ? (size_t)(dot - name) : strlen(name);
-    snprintf(text, 128, "%.*s", length == 0 ? 16 : (int)(length < 127 ? length : 127),
-             length == 0 ? "No ground motion" : name);
+    if (length == 0)
+        return "No ground motion";
+    snprintf(text, 128, "%.*s", (int)(length < 127 ? length : 127), name);
     return text;
 }
 
